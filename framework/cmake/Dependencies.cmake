@@ -1,0 +1,21 @@
+# One target for each library, from the distribution's packages.
+
+find_package(Threads REQUIRED)
+
+# Eigen as a system header folder, so that its warnings are not ours.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+get_target_property(MUELLE_EIGEN_INCLUDE Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+
+find_package(fmt REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(GTest REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
+
+# The grader's own: absent on a student's machine.
+if(EXISTS ${CMAKE_SOURCE_DIR}/framework/grader/CMakeLists.txt)
+  find_package(nlohmann_json REQUIRED)
+  pkg_check_modules(libarchive REQUIRED IMPORTED_TARGET libarchive)
+  pkg_check_modules(libseccomp REQUIRED IMPORTED_TARGET libseccomp)
+  pkg_check_modules(libcrypto REQUIRED IMPORTED_TARGET libcrypto)
+endif()

@@ -1,0 +1,36 @@
+# Language, warnings and linker, and the flags with which students' files are compiled.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+# Assertions stay on: Eigen's range checks are part of what the course teaches.
+set(CMAKE_CXX_FLAGS_RELEASE "-O2")
+
+option(MUELLE_ASAN "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+
+add_library(muelle_flags INTERFACE)
+target_include_directories(muelle_flags INTERFACE ${CMAKE_SOURCE_DIR}/framework)
+target_compile_options(muelle_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
+if(MUELLE_ASAN)
+  target_compile_options(muelle_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -g1
+                                                -fno-omit-frame-pointer)
+  target_link_options(muelle_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+# mold links a student's file in a few hundredths of a second; without it the default linker does.
+find_program(MUELLE_MOLD NAMES mold)
+set(MUELLE_LINKER_FLAG "")
+if(MUELLE_MOLD)
+  set(MUELLE_LINKER_FLAG "-fuse-ld=mold")
+  add_link_options(${MUELLE_LINKER_FLAG})
+endif()
+
+# A student's file: optimised a little, position independent for the worker's shared object, same for check and grade,
+# so that both use one precompiled header.
+set(MUELLE_STUDENT_FLAGS -std=c++20 -O1 -fPIC -Wall -Wextra)
+string(JOIN " " MUELLE_STUDENT_FLAGS_TEXT ${MUELLE_STUDENT_FLAGS})

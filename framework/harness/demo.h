@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// What a demo includes. A demo simulates a small scene with the student's functions and returns its figures:
+///
+///     // exercises/spring_1d/demo.cpp
+///     #include "spring_1d.h"
+///     #include "harness/demo.h"
+///
+///     MUELLE_DEMO {
+///       ... submission::springForce(xa, xb, k, L0) ...
+///       return {figure};
+///     }
+///
+/// The student's check compiles it against the student's functions; the grader compiles the same file twice, against
+/// the submission and against the reference, and draws one over the other.
+
+#include "harness/figure.h"
+#include "harness/function_system.h"
+#include "harness/mesh.h"
+#include "harness/simulate.h"
+#include "harness/symplectic_euler.h"
+
+#include <vector>
+
+#ifndef MUELLE_DEMO_NAME
+#define MUELLE_DEMO_NAME muelleDemo
+#endif
+
+/// Begins the demo's function: no arguments, returns std::vector<muelle::Figure>.
+#define MUELLE_DEMO std::vector<muelle::Figure> MUELLE_DEMO_NAME()
+
+std::vector<muelle::Figure> MUELLE_DEMO_NAME();

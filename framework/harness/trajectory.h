@@ -1,0 +1,46 @@
+#pragma once
+#include "harness/state.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace muelle {
+
+/// A number measured along a run: its name, unit and one value per output time.
+struct Track {
+  std::string name;  ///< "kinetic energy"
+  std::string unit;  ///< "J"
+  std::vector<double> values;
+};
+
+/// Why a run ended before its time.
+struct StopReport {
+  bool stopped = false;
+  double t = 0.0;       ///< time of the first step that went wrong [s]
+  int unknown = -1;     ///< first degree of freedom that is not finite, or -1
+  std::string message;  ///< one line: time, node, what
+};
+
+/// What a simulation leaves: the states at the output times, and what the probes measured there.
+struct Trajectory {
+  std::vector<double> t;               ///< output times [s]
+  std::vector<std::vector<double>> x;  ///< positions [m], one flat array per output time
+  std::vector<std::vector<double>> v;  ///< velocities [m/s]
+  std::vector<Track> tracks;           ///< in the order of the probes
+  StopReport stop;
+
+  /// One coordinate over time: unknown i of x (of v).
+  std::vector<double> position(int i) const;
+  std::vector<double> velocity(int i) const;
+  /// Values of the probe of that name; throws std::out_of_range naming the probes there are.
+  const std::vector<double>& track(const std::string& name) const;
+  /// The last recorded state (x, v, t).
+  State last() const;
+};
+
+/// Writes t, x0.., v0.., and the tracks as columns with a header line that has the units.
+/// Throws std::runtime_error when the file cannot be written; leaves no half-written file.
+void writeCsv(const Trajectory& trajectory, const std::filesystem::path& file);
+
+}  // namespace muelle
