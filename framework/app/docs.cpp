@@ -1,0 +1,34 @@
+#include "app/commands.h"
+#include "app/process.h"
+#include "harness/build_paths.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <stdexcept>
+
+namespace muelle::app {
+
+namespace {
+
+/// Doxygen's own configuration treats warnings as errors.
+int docs() {
+  const std::filesystem::path folder = std::filesystem::path(build_paths::source) / "docs";
+  if (!std::filesystem::exists(folder / "Doxyfile")) {
+    throw std::runtime_error("docs/Doxyfile is missing: this tree comes without its documentation");
+  }
+  std::filesystem::current_path(build_paths::source);
+  std::filesystem::create_directories(std::filesystem::path(build_paths::binary) / "docs");
+  if (runInForeground({"doxygen", "-q", "docs/Doxyfile"}) != 0) return 1;
+  fmt::print("{}\n", (std::filesystem::path(build_paths::binary) / "docs" / "html" / "index.html").string());
+  return 0;
+}
+
+}  // namespace
+
+void addDocs(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("docs", "Write the documentation as web pages");
+  command->footer("Example: ./muelle docs");
+  command->callback([&status] { status = docs(); });
+}
+
+}  // namespace muelle::app

@@ -1,0 +1,38 @@
+#include "app/commands.h"
+#include "app/process.h"
+#include "harness/build_paths.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace muelle::app {
+
+namespace {
+
+struct TestOptions {
+  std::string filter;
+  bool listOnly = false;
+};
+
+/// The tests of the framework and of the grader; grading a submission (label `grade`) is another command.
+int test(const TestOptions& options) {
+  std::vector<std::string> command{"ctest",  "--test-dir",       build_paths::binary, "--label-exclude", "^grade$",
+                                   "--parallel", "2", "--output-on-failure", "--no-tests=error"};
+  if (!options.filter.empty()) command.insert(command.end(), {"--tests-regex", options.filter});
+  if (options.listOnly) command.push_back("--show-only");
+  return runInForeground(command) == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+void addTest(CLI::App& app, int& status) {
+  const auto options = std::make_shared<TestOptions>();
+  CLI::App* command = app.add_subcommand("test", "Run the tests of the framework, of the course and of the grader");
+  command->add_option("REGEX", options->filter, "Only the tests whose name matches");
+  command->add_flag("--list", options->listOnly, "Name the tests, run none");
+  command->footer("Example: ./muelle test manifest");
+  command->callback([options, &status] { status = test(*options); });
+}
+
+}  // namespace muelle::app
