@@ -10,10 +10,10 @@ namespace muelle::grader {
 
 /// Bounds of what is read of a submission.
 struct IntakeLimits {
-  std::size_t sourceBytes = 256 * 1024;           ///< one source file
-  std::size_t archiveBytes = 32 * 1024 * 1024;    ///< the archive file, and all that is unpacked of it
-  std::size_t entries = 10'000;                   ///< entries of an archive or folder looked at
-  std::size_t notes = 20;                         ///< notes kept; the rest are counted
+  std::size_t sourceBytes = 256 * 1024;         ///< one source file
+  std::size_t archiveBytes = 32 * 1024 * 1024;  ///< the archive file, and all that is unpacked of it
+  std::size_t entries = 10'000;                 ///< entries of an archive or folder looked at
+  std::size_t notes = 20;                       ///< notes kept; the rest are counted
 };
 
 /// The files of one submission that count, as text in memory: nothing of it is written to disk here.
@@ -21,7 +21,8 @@ struct Submission {
   std::string name;
   /// topic -> file name ("spring_1d.cpp") -> content
   std::map<std::string, std::map<std::string, std::string>> sources;
-  /// topic -> why its file was refused (too large, a link, a FIFO, twice in the archive ...); absent files have no entry
+  /// topic -> why its file was refused (too large, a link, a FIFO, twice in the archive ...); absent files have no
+  /// entry
   std::map<std::string, std::string> refused;
   /// What was ignored, one line each, untrusted names made printable.
   std::vector<std::string> notes;

@@ -15,8 +15,8 @@ std::string resultsJson(const GradedSubmission& graded);
 /// JUnit XML from the records: not run = failure, the grader's fault = error.
 std::string junitXml(const GradedSubmission& graded);
 
-/// One self-contained page: every criterion, its feedback, the curves. No script, no outside resource; every text of the
-/// submission escaped; a Content-Security-Policy that allows only inline styles and images.
+/// One self-contained page: every criterion, its feedback, the curves. No script, no outside resource; every text of
+/// the submission escaped; a Content-Security-Policy that allows only inline styles and images.
 std::string htmlPage(const GradedSubmission& graded);
 
 /// Writes results.json, results.xml (JUnit) and report.html into `folder`, each whole or not at all.

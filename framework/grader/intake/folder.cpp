@@ -1,0 +1,138 @@
+#include "grader/intake/folder.h"
+
+#include "grader/intake/file_descriptor.h"
+#include "grader/intake/read_file.h"
+#include "grader/text/printable.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <deque>
+#include <stdexcept>
+#include <system_error>
+
+namespace muelle::grader {
+
+namespace {
+
+constexpr std::size_t maximalDepth = 32;
+constexpr int folderFlags = O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NONBLOCK;
+
+std::string kindOf(mode_t mode) {
+  if (S_ISLNK(mode)) return "is a symbolic link";
+  if (S_ISFIFO(mode)) return "is a named pipe";
+  if (S_ISSOCK(mode)) return "is a socket";
+  if (S_ISCHR(mode) || S_ISBLK(mode)) return "is a device";
+  if (S_ISDIR(mode)) return "is a folder";
+  return "is no regular file";
+}
+
+class Walk {
+ public:
+  Walk(int root, Collector& collector) : root_(root), collector_(collector) {}
+
+  void run() {
+    while (!pending_.empty() && !full_) {
+      const RelativePath folder = pending_.front();
+      pending_.pop_front();
+      visit(folder);
+    }
+  }
+
+ private:
+  /// Opens a folder from the root, component by component, so that no link on the way is followed.
+  FileDescriptor open(const RelativePath& folder) const {
+    FileDescriptor current(::openat(root_, ".", folderFlags));
+    for (const std::string& name : folder) {
+      if (!current.isOpen()) break;
+      current = FileDescriptor(::openat(current.get(), name.c_str(), folderFlags | O_NOFOLLOW));
+    }
+    return current;
+  }
+
+  std::vector<std::string> names(const FileDescriptor& folder) {
+    std::vector<std::string> found;
+    FileDescriptor copy(::openat(folder.get(), ".", folderFlags));
+    DIR* stream = copy.isOpen() ? ::fdopendir(copy.get()) : nullptr;
+    if (stream == nullptr) return found;
+    copy.release();
+    while (const dirent* entry = ::readdir(stream)) {
+      const std::string name = entry->d_name;
+      if (name == "." || name == "..") continue;
+      if (++entries_ > collector_.limits().entries) {
+        full_ = true;
+        break;
+      }
+      found.push_back(name);
+    }
+    ::closedir(stream);
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  void visit(const RelativePath& path) {
+    const FileDescriptor folder = open(path);
+    if (!folder.isOpen()) return collector_.note(fmt::format("ignored {}/: {}", show(path), std::strerror(errno)));
+    const std::vector<std::string> found = names(folder);
+    for (const std::string& name : found) {
+      RelativePath entry = path;
+      entry.push_back(name);
+      offer(folder, entry);
+    }
+    if (full_)
+      collector_.note(fmt::format("only the first {} entries were looked at: hand in the exercises alone",
+                                  collector_.limits().entries));
+  }
+
+  void offer(const FileDescriptor& folder, const RelativePath& path) {
+    struct stat status {};
+    if (::fstatat(folder.get(), path.back().c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0)
+      return collector_.notAFile(path, fmt::format("cannot be read: {}", std::strerror(errno)));
+    if (S_ISDIR(status.st_mode)) return enter(path);
+    if (!S_ISREG(status.st_mode)) return collector_.notAFile(path, kindOf(status.st_mode));
+    collector_.file(path, [&] { return read(folder, path.back()); });
+  }
+
+  void enter(const RelativePath& path) {
+    if (Collector::isSkipped(path.back())) return collector_.notAFile(path, "is hidden");
+    if (path.size() > maximalDepth) return collector_.note(fmt::format("ignored {}/: too deep", show(path)));
+    pending_.push_back(path);
+  }
+
+  Content read(const FileDescriptor& folder, const std::string& name) const {
+    // The name was a regular file a moment ago; O_NONBLOCK and the second look are for one that changed since.
+    const FileDescriptor file(
+        ::openat(folder.get(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+    struct stat status {};
+    if (!file.isOpen() || ::fstat(file.get(), &status) != 0)
+      return {"", fmt::format("cannot be read: {}", std::strerror(errno))};
+    if (!S_ISREG(status.st_mode)) return {"", kindOf(status.st_mode)};
+    if (status.st_nlink > 1) return {"", "is a hard link (the file has another name elsewhere): hand in a copy"};
+    const std::size_t limit = collector_.limits().sourceBytes;
+    std::optional<std::string> text = readAll(file.get(), limit);
+    if (!text) return {"", fmt::format("is larger than {}", showBytes(limit))};
+    return {std::move(*text), ""};
+  }
+
+  int root_;
+  Collector& collector_;
+  std::deque<RelativePath> pending_{RelativePath{}};
+  std::size_t entries_ = 0;
+  bool full_ = false;
+};
+
+}  // namespace
+
+void readFolder(const std::filesystem::path& folder, Collector& collector) {
+  const FileDescriptor root(::open(folder.c_str(), folderFlags));
+  if (!root.isOpen())
+    throw std::runtime_error(fmt::format("cannot read the folder {}: {}; check its permissions",
+                                         printableLine(folder.string()), std::strerror(errno)));
+  Walk(root.get(), collector).run();
+}
+
+}  // namespace muelle::grader

@@ -1,0 +1,60 @@
+#include "grader/intake/intake.h"
+
+#include "grader/intake/archive.h"
+#include "grader/intake/collector.h"
+#include "grader/intake/file_descriptor.h"
+#include "grader/intake/folder.h"
+#include "grader/intake/read_file.h"
+#include "grader/text/printable.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace muelle::grader {
+
+namespace {
+
+constexpr std::size_t nameBytes = 200;
+
+/// The last component that names something: "solutions" for "solutions/" and for "." inside it.
+std::string nameOf(const std::filesystem::path& path) {
+  std::error_code ignored;
+  std::filesystem::path whole = std::filesystem::absolute(path, ignored).lexically_normal();
+  if (whole.filename().empty()) whole = whole.parent_path();
+  return cut(printableLine(whole.filename().string()), nameBytes);
+}
+
+std::string readArchiveFile(const FileDescriptor& file, const std::string& name, std::size_t limit) {
+  std::optional<std::string> bytes = readAll(file.get(), limit);
+  if (!bytes)
+    throw std::runtime_error(
+        fmt::format("the archive {} is larger than {}: hand in the sources alone", name, showBytes(limit)));
+  return std::move(*bytes);
+}
+
+}  // namespace
+
+Submission takeSubmission(const std::filesystem::path& path, const std::vector<Manifest>& course,
+                          const IntakeLimits& limits) {
+  const std::string name = nameOf(path);
+  Collector collector(course, limits);
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  struct stat status {};
+  if (!file.isOpen() || ::fstat(file.get(), &status) != 0)
+    throw std::runtime_error(fmt::format("cannot read the submission {}: {}; give a folder or an archive",
+                                         printableLine(path.string()), std::strerror(errno)));
+  if (S_ISDIR(status.st_mode)) {
+    readFolder(path, collector);
+  } else if (S_ISREG(status.st_mode)) {
+    readArchive(readArchiveFile(file, name, limits.archiveBytes), name, collector);
+  } else {
+    throw std::runtime_error(fmt::format("{} is neither a folder nor an archive", printableLine(path.string())));
+  }
+  return collector.finish(name);
+}
+
+}  // namespace muelle::grader

@@ -1,0 +1,52 @@
+#include "grader/report/format.h"
+
+#include "grader/text/printable.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace muelle::grader {
+
+std::string showPoints(double points) {
+  std::string text = fmt::format("{:.2f}", points);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text == "-0" ? "0" : text;
+}
+
+std::string showScore(const Criterion& criterion, const GradedExercise& exercise) {
+  const std::optional<double> points = score(criterion, exercise);
+  return points ? showPoints(*points) : "no score";
+}
+
+std::string showState(Explanation::State state) {
+  switch (state) {
+    case Explanation::State::Passed:
+      return "passed";
+    case Explanation::State::Partial:
+      return "in part";
+    case Explanation::State::Failed:
+      return "failed";
+    case Explanation::State::NotRun:
+      return "not run";
+    case Explanation::State::GraderFault:
+      break;
+  }
+  return "grader's fault";
+}
+
+double maxScore(const GradedExercise& exercise) {
+  double sum = 0.0;
+  for (const Criterion& criterion : exercise.manifest.criteria) sum += criterion.points;
+  return sum;
+}
+
+std::string showSandbox(const GradedSubmission& graded) {
+  return graded.sandbox.empty() ? "none known" : printableLine(graded.sandbox);
+}
+
+std::string feedbackText(const Criterion& criterion, const GradedExercise& exercise) {
+  return fmt::format("{}", fmt::join(feedback(criterion, exercise), "\n"));
+}
+
+}  // namespace muelle::grader

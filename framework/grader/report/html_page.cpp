@@ -1,0 +1,196 @@
+#include "grader/report/format.h"
+#include "grader/report/page_style.h"
+#include "grader/report/report.h"
+#include "grader/text/escape.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+namespace muelle::grader {
+
+namespace {
+
+using State = Explanation::State;
+
+/// The curves are images with their own, scriptless world; nothing else is loaded and nothing runs.
+constexpr const char* policy =
+    "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'";
+
+std::string classOf(double points, double most) {
+  if (points >= most) return "passed";
+  return points > 0.0 ? "part" : "failed";
+}
+
+std::string classOf(State state) {
+  if (state == State::Passed) return "passed";
+  return state == State::Partial || state == State::GraderFault ? "part" : "failed";
+}
+
+std::string markOf(State state) {
+  switch (state) {
+    case State::Passed:
+      return "✓";
+    case State::Partial:
+      return "~";
+    case State::GraderFault:
+      return "!";
+    case State::NotRun:
+      return "–";
+    case State::Failed:
+      break;
+  }
+  return "✗";
+}
+
+std::string bar(double points, double most) {
+  const double part = most > 0.0 ? std::clamp(points / most, 0.0, 1.0) : 0.0;
+  return fmt::format(
+      "<svg class=\"bar\" viewBox=\"0 0 100 8\" preserveAspectRatio=\"none\" role=\"img\" aria-label=\"{0:.0f} %\">"
+      "<rect class=\"track\" width=\"100\" height=\"8\"/><rect class=\"fill\" width=\"{1:.2f}\" height=\"8\"/></svg>",
+      100.0 * part, 100.0 * part);
+}
+
+std::string pointsOf(const std::string& points, double most, const char* between) {
+  return fmt::format("<p class=\"points\"><b>{}</b>{}{}</p>", points, between, showPoints(most));
+}
+
+std::string paragraph(const char* kind, const std::string& text) {
+  return text.empty() ? "" : fmt::format("<p class=\"{}\">{}</p>\n", kind, escapeHtml(text));
+}
+
+/// "springForce(...), component 2: got 1, expected 2 (difference ...)" taken apart; any other line as it is.
+std::string detail(const std::string& line) {
+  const std::size_t got = line.rfind(": got "), expected = line.rfind(", expected ");
+  if (got == std::string::npos || expected == std::string::npos || expected < got)
+    return fmt::format("<p>{}</p>\n", escapeHtml(line));
+  const std::size_t value = got + 6, wanted = expected + 11;
+  const std::size_t rest = std::min(line.find(" (", wanted), line.size());
+  return fmt::format(
+      "<p>{}</p>\n<dl><dt>got</dt><dd class=\"got\">{}</dd><dt>expected</dt><dd><span class=\"wanted\">{}</span>"
+      "<span class=\"rest\">{}</span></dd></dl>\n",
+      escapeHtml(line.substr(0, got)), escapeHtml(line.substr(value, expected - value)),
+      escapeHtml(line.substr(wanted, rest - wanted)), escapeHtml(line.substr(rest)));
+}
+
+std::string failedTest(const Explanation::FailedTest& test) {
+  std::string html = "<div class=\"test\">\n" + paragraph("property", test.property);
+  if (!test.call.empty()) html += fmt::format("<pre>{}</pre>\n", escapeHtml(test.call));
+  if (!test.details.empty()) {
+    html += "<div class=\"values\">\n";
+    for (const std::string& line : test.details) html += detail(line);
+    html += "</div>\n";
+  }
+  return html + "</div>\n";
+}
+
+std::string mistake(const Explanation::Mistake& mistake) {
+  return "<div class=\"mistake\">\n<p class=\"label\">Your numbers are exactly those of a known mistake</p>\n" +
+         paragraph("says", mistake.says) + paragraph("hint", mistake.hint) + "</div>\n";
+}
+
+std::string why(const Explanation& explanation, const std::string& printed) {
+  std::string html = paragraph("soft", explanation.instead);
+  for (const auto& m : explanation.mistakes) html += mistake(m);
+  html += paragraph("fault", explanation.fault);
+  for (const auto& test : explanation.tests) html += failedTest(test);
+  html += paragraph("hint", explanation.hint);
+  if (!printed.empty())
+    html +=
+        fmt::format("<details><summary>What your code printed</summary><pre>{}</pre></details>\n", escapeHtml(printed));
+  return html.empty() ? "" : "<div class=\"why\">\n" + html + "</div>\n";
+}
+
+std::string criterionRow(const Criterion& criterion, const GradedExercise& exercise) {
+  const Explanation explanation = explain(criterion, exercise);
+  const bool built = exercise.build.status == BuildOutcome::Status::Built;
+  return fmt::format("<div class=\"criterion {}\"><span class=\"mark\" title=\"{}\">{}</span><h3>{}</h3>{}\n{}</div>\n",
+                     classOf(explanation.state), showState(explanation.state), markOf(explanation.state),
+                     escapeHtml(criterion.name), pointsOf(showScore(criterion, exercise), criterion.points, " / "),
+                     // A build that failed is told once, above the criteria.
+                     built ? why(explanation, shownOutput(criterion, exercise)) : "");
+}
+
+std::string buildBlock(const GradedExercise& exercise) {
+  if (exercise.build.status == BuildOutcome::Status::Built || exercise.manifest.criteria.empty()) return "";
+  const Explanation explanation = explain(exercise.manifest.criteria.front(), exercise);
+  const bool ours = exercise.build.status == BuildOutcome::Status::GraderFault;
+  std::string html = "<div class=\"block why\">\n" + paragraph(ours ? "mistake" : "fault", explanation.instead);
+  if (!exercise.build.diagnostics.empty())
+    html += fmt::format("<pre>{}</pre>\n", escapeHtml(exercise.build.diagnostics));
+  return html + "</div>\n";
+}
+
+std::string curves(const GradedExercise& exercise) {
+  if (exercise.figures.empty() && exercise.figuresNote.empty()) return "";
+  std::string html = "<div class=\"block\">\n" + paragraph("soft", exercise.figuresNote);
+  if (!exercise.figures.empty()) html += "<div class=\"curves\">\n";
+  for (const std::string& svg : exercise.figures) {
+    html += fmt::format("<img alt=\"Curves of {}: yours over the reference\" src=\"data:image/svg+xml;base64,{}\">\n",
+                        escapeHtml(exercise.manifest.title), base64(svg));
+  }
+  return html + (exercise.figures.empty() ? "</div>\n" : "</div>\n</div>\n");
+}
+
+std::string exerciseSection(const GradedExercise& exercise) {
+  const double points = score(exercise), most = maxScore(exercise);
+  std::string html = fmt::format(
+      "<section class=\"exercise card\" id=\"{0}\">\n<header class=\"{1}\"><h2>{2}</h2>{3}<p "
+      "class=\"soft\">{0}</p>{4}</header>\n",
+      escapeHtml(exercise.manifest.topic), classOf(points, most), escapeHtml(exercise.manifest.title),
+      pointsOf(showPoints(points), most, " / "), bar(points, most));
+  html += buildBlock(exercise);
+  for (const Criterion& criterion : exercise.manifest.criteria) html += criterionRow(criterion, exercise);
+  return html + curves(exercise) + "</section>\n";
+}
+
+std::string pageHeader(const GradedSubmission& graded) {
+  const double points = score(graded), most = maxScore(graded);
+  std::string html = fmt::format(
+      "<header class=\"total {}\"><div><p class=\"soft\">Muelle: graded submission</p><h1>{}</h1>"
+      "<p class=\"soft\">{} · {:.1f} s</p></div>{}{}</header>\n",
+      classOf(points, most), escapeHtml(graded.name), escapeHtml(graded.date), graded.seconds,
+      pointsOf(showPoints(points), most, " of "), bar(points, most));
+  if (hasGraderFault(graded))
+    html +=
+        "<p class=\"warning\">The grader failed on part of this submission. That is not your fault: the total is no "
+        "score yet, and it will be run again.</p>\n";
+  return html;
+}
+
+std::string overview(const GradedSubmission& graded) {
+  std::string html = "<nav class=\"overview card\">\n";
+  for (const GradedExercise& exercise : graded.exercises) {
+    const double points = score(exercise), most = maxScore(exercise);
+    html +=
+        fmt::format("<a class=\"{}\" href=\"#{}\"><span>{}</span>{}<span class=\"points\"><b>{}</b> / {}</span></a>\n",
+                    classOf(points, most), escapeHtml(exercise.manifest.topic), escapeHtml(exercise.manifest.title),
+                    bar(points, most), showPoints(points), showPoints(most));
+  }
+  return html + "</nav>\n";
+}
+
+std::string pageFooter(const GradedSubmission& graded) {
+  std::string html = "<footer class=\"soft\">\n<p>Sandbox: " + escapeHtml(showSandbox(graded)) + "</p>\n";
+  if (!graded.intakeNotes.empty()) {
+    html += "<p>Of the submission:</p>\n<ul>\n";
+    for (const std::string& note : graded.intakeNotes) html += fmt::format("<li>{}</li>\n", escapeHtml(note));
+    html += "</ul>\n";
+  }
+  return html + "</footer>\n";
+}
+
+}  // namespace
+
+std::string htmlPage(const GradedSubmission& graded) {
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n<meta name=\"referrer\" content=\"no-referrer\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{} / {} · {}</title>\n"
+      "<style>{}</style>\n</head>\n<body>\n<main>\n",
+      policy, showPoints(score(graded)), showPoints(maxScore(graded)), escapeHtml(graded.name), pageStyle);
+  html += pageHeader(graded) + overview(graded);
+  for (const GradedExercise& exercise : graded.exercises) html += exerciseSection(exercise);
+  return html + pageFooter(graded) + "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace muelle::grader
