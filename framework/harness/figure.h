@@ -14,7 +14,7 @@ enum class Pen {
 
 /// One curve: numbers and the name in the key.
 struct Series {
-  std::string name;
+  std::string name;  ///< empty: not in the key
   std::vector<double> x;
   std::vector<double> y;
   Pen pen = Pen::Line;
@@ -34,21 +34,29 @@ struct Panel {
 ///     figure.panel("energy [J]").line("total", t, E);
 ///     figure.write("out");   // out/oscillator.dat, out/oscillator.gp, out/oscillator.svg
 ///
-/// Titles, names and labels come from this project's sources, never from a submission: they are checked against a
-/// plain alphabet (std::invalid_argument otherwise) before gnuplot reads them. Not-finite numbers are gaps in a curve.
+/// Titles, names and labels come from this project's sources, never from a submission: they are checked against a plain
+/// alphabet (std::invalid_argument otherwise) before gnuplot reads them: letters, digits, blank and
+/// .,:;()[]/+-*=^_<>|%!?' where ^2 and ^3 become superscripts and -> an arrow. Numbers that are not finite or beyond
+/// 1e100 are gaps in a curve, as are those below or at zero on a logarithmic axis; a curve with no point left says "no
+/// data". A linear axis never shows round-off: values that differ by less than 1e-9 of their size, or by less than
+/// 1e-12, are drawn as a constant.
 class Figure {
  public:
-  /// Builds one panel.
+  /// Adds curves to one panel; stays valid while the figure stays where it is. Throws std::invalid_argument when x and
+  /// y differ in length or the name is not plain.
   class PanelBuilder {
    public:
-    explicit PanelBuilder(Panel& panel) : panel_(panel) {}
+    PanelBuilder(Figure& figure, std::size_t index) : figure_(figure), index_(index) {}
     PanelBuilder& line(std::string name, std::vector<double> x, std::vector<double> y);
     PanelBuilder& reference(std::string name, std::vector<double> x, std::vector<double> y);
     PanelBuilder& points(std::string name, std::vector<double> x, std::vector<double> y);
     PanelBuilder& logY();
 
    private:
-    Panel& panel_;
+    PanelBuilder& add(Series series);
+
+    Figure& figure_;
+    std::size_t index_;
   };
 
   /// \param id file name stem, letters, digits and _   \param title the message   \param xLabel with its unit
@@ -57,18 +65,24 @@ class Figure {
   PanelBuilder panel(std::string yLabel);
   /// Same scale on both axes: for paths in the plane.
   Figure& equalAxes();
+  /// Logarithmic x axis: for errors against steps.
+  Figure& logX();
 
   const std::string& id() const { return id_; }
   const std::string& title() const { return title_; }
   const std::string& xLabel() const { return xLabel_; }
   bool hasEqualAxes() const { return equalAxes_; }
+  bool hasLogX() const { return logX_; }
   const std::vector<Panel>& panels() const { return panels_; }
 
-  /// This figure with the curves of `reference` (same panels) underneath, in the reference pen and named "reference: ...".
+  /// This figure with the curves of `reference` underneath in the reference pen: what the grader draws, a submission's
+  /// figure over that of the oracle. One curve of a panel is named "reference: its name", several share the name
+  /// "reference". Curves that are already drawn as references (an analytic solution) are not drawn twice.
+  /// Throws std::invalid_argument when the panels differ in number.
   Figure over(const Figure& reference) const;
 
-  /// Writes id.dat, id.gp and id.svg into the folder, which is made when missing.
-  /// Throws std::runtime_error with gnuplot's words when it fails.
+  /// Writes id.dat, id.gp and id.svg into the folder, which is made when missing; `gnuplot id.gp` there draws it again.
+  /// Throws std::runtime_error with gnuplot's words when it fails, and then leaves nothing behind.
   void write(const std::filesystem::path& folder) const;
 
  private:
@@ -76,7 +90,12 @@ class Figure {
   std::string title_;
   std::string xLabel_;
   bool equalAxes_ = false;
+  bool logX_ = false;
   std::vector<Panel> panels_;
 };
+
+/// Writes several figures at once, with a single run of gnuplot (each start costs 20 ms): all of them or none.
+/// Throws std::invalid_argument when two share an id; otherwise as Figure::write.
+void writeFigures(const std::vector<Figure>& figures, const std::filesystem::path& folder);
 
 }  // namespace muelle

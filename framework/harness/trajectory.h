@@ -17,8 +17,8 @@ struct Track {
 /// Why a run ended before its time.
 struct StopReport {
   bool stopped = false;
-  double t = 0.0;       ///< time of the first step that went wrong [s]
-  int unknown = -1;     ///< first degree of freedom that is not finite, or -1
+  double t = 0.0;       ///< time at which the fault shows first [s]
+  int unknown = -1;     ///< first degree of freedom that is not finite (in an explosion: the fastest), or -1
   std::string message;  ///< one line: time, node, what
 };
 

@@ -1,7 +1,7 @@
 #include "harness/testing/expect.h"
 
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 
 namespace muelle {
 
@@ -17,7 +17,8 @@ std::string size(const MatX& m) {
 }
 
 std::string comparison(double actual, double expected, double tolerance) {
-  if (!std::isfinite(actual)) return fmt::format("got {}, which is not a finite number; expected {:.10g}", actual, expected);
+  if (!std::isfinite(actual))
+    return fmt::format("got {}, which is not a finite number; expected {:.10g}", actual, expected);
   return fmt::format("got {:.10g}, expected {:.10g} (difference {:.3g}, tolerance {:.3g})", actual, expected,
                      actual - expected, tolerance);
 }
@@ -37,8 +38,7 @@ bool near(double actual, double expected, double tolerance) {
 ::testing::AssertionResult matrixNear(const char* actualText, const char*, const char*, const MatX& actual,
                                       const MatX& expected, double tolerance) {
   if (actual.rows() != expected.rows() || actual.cols() != expected.cols()) {
-    return ::testing::AssertionFailure()
-           << actualText << ": got " << size(actual) << ", expected " << size(expected);
+    return ::testing::AssertionFailure() << actualText << ": got " << size(actual) << ", expected " << size(expected);
   }
   for (Eigen::Index col = 0; col < expected.cols(); ++col) {
     for (Eigen::Index row = 0; row < expected.rows(); ++row) {

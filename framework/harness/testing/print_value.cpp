@@ -1,7 +1,7 @@
 #include "harness/testing/print_value.h"
 
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 
 namespace muelle {
 

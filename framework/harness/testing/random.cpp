@@ -1,7 +1,7 @@
 #include "harness/testing/random.h"
 
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 #include <string_view>
 
 namespace muelle {

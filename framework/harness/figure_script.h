@@ -1,0 +1,17 @@
+#pragma once
+#include "harness/figure.h"
+
+#include <string>
+
+namespace muelle {
+
+/// The two files from which gnuplot draws a figure.
+struct FigureText {
+  std::string data;  ///< id.dat: a block of "x y" lines for each curve, two blank lines apart; one blank line is a gap
+  std::string script;  ///< id.gp: reads id.dat, writes id.svg
+};
+
+/// Data and script of a figure. Long curves are thinned for the eye: see the source for how.
+FigureText figureText(const Figure& figure);
+
+}  // namespace muelle

@@ -1,0 +1,30 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace muelle {
+
+/// Writes a file whole or not at all: into a temporary neighbour, then renamed over `file`.
+/// Throws std::runtime_error with the name and the system's reason.
+void writeFile(const std::filesystem::path& file, std::string_view text);
+
+/// The bytes of a file. Throws std::runtime_error with the name and the system's reason.
+std::string readFile(const std::filesystem::path& file);
+
+/// A fresh folder inside `parent` (made when missing), removed with all it holds at the end of its scope.
+class TemporaryFolder {
+ public:
+  /// Throws std::runtime_error when the folder cannot be made.
+  explicit TemporaryFolder(const std::filesystem::path& parent);
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder();
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace muelle

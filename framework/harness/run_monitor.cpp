@@ -1,0 +1,107 @@
+#include "harness/run_monitor.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+namespace muelle {
+
+namespace {
+
+/// First entry that is not finite, or the size.
+std::size_t firstNotFinite(const std::vector<double>& values) {
+  const auto bad = std::find_if_not(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  return static_cast<std::size_t>(bad - values.begin());
+}
+
+double kineticEnergyOf(std::span<const double> mass, const std::vector<double>& v) {
+  double energy = 0.0;
+  for (std::size_t i = 0; i < v.size(); ++i) energy += 0.5 * mass[i] * v[i] * v[i];
+  return energy;
+}
+
+/// 3 when the masses come in triples of equal numbers: the three coordinates of a node share its mass.
+int guessDimension(std::span<const double> mass) {
+  if (mass.size() % 3 != 0) return 1;
+  for (std::size_t i = 0; i < mass.size(); i += 3) {
+    if (mass[i] != mass[i + 1] || mass[i] != mass[i + 2]) return 1;
+  }
+  return 3;
+}
+
+}  // namespace
+
+RunMonitor::RunMonitor(const DynamicalSystem& system, double explosion, double duration, int dimension)
+    : system_(system),
+      explosion_(explosion),
+      duration_(duration),
+      dimension_(dimension > 0 ? dimension : guessDimension(system.mass())),
+      force_(static_cast<std::size_t>(system.size()), 0.0) {}
+
+StopReport RunMonitor::checkStart(const State& start) {
+  const std::size_t badVelocity = firstNotFinite(start.v);
+  if (badVelocity < start.v.size()) return notFinite(start.t, badVelocity, "velocity");
+  const std::size_t badPosition = firstNotFinite(start.x);
+  if (badPosition < start.x.size()) return notFinite(start.t, badPosition, "position");
+  const StopReport report = checkForce(start);
+  if (report.stopped) return report;
+
+  const std::span<const double> mass = system_.mass();
+  double totalMass = 0.0;
+  double reachable = 0.0;
+  for (std::size_t i = 0; i < force_.size(); ++i) {
+    const double speed = std::abs(start.v[i]) + std::abs(force_[i]) * duration_ / mass[i];
+    totalMass += mass[i];
+    reachable += 0.5 * mass[i] * speed * speed;
+  }
+  constexpr double walkingPace = 1.0;  // [m/s]
+  energyScale_ = std::max(0.5 * totalMass * walkingPace * walkingPace, reachable);
+  return {};
+}
+
+StopReport RunMonitor::checkStep(const State& before, const State& after) {
+  const std::size_t badPosition = firstNotFinite(after.x);
+  const std::size_t badVelocity = firstNotFinite(after.v);
+  if (badPosition < after.x.size() || badVelocity < after.v.size()) {
+    // A force that is not finite spoils velocity and position within the step: name the cause, not the effect.
+    const StopReport cause = checkForce(before);
+    if (cause.stopped) return cause;
+    if (badPosition < after.x.size()) return notFinite(after.t, badPosition, "position");
+    return notFinite(after.t, badVelocity, "velocity");
+  }
+  const double energy = kineticEnergyOf(system_.mass(), after.v);
+  if (energy > explosion_ * energyScale_) return exploded(after, energy);
+  return {};
+}
+
+StopReport RunMonitor::checkForce(const State& state) {
+  std::fill(force_.begin(), force_.end(), 0.0);
+  system_.force(state.t, state.x, state.v, state.z, force_);
+  const std::size_t bad = firstNotFinite(force_);
+  if (bad < force_.size()) return notFinite(state.t, bad, "force");
+  return {};
+}
+
+StopReport RunMonitor::notFinite(double t, std::size_t unknown, const char* what) const {
+  return {true, t, static_cast<int>(unknown),
+          fmt::format("t = {:.6g} s, {}: the {} is not finite", t, nodeName(unknown), what)};
+}
+
+StopReport RunMonitor::exploded(const State& state, double kineticEnergy) const {
+  const auto slower = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto fastest = std::max_element(state.v.begin(), state.v.end(), slower);
+  const auto unknown = static_cast<std::size_t>(fastest - state.v.begin());
+  return {true, state.t, static_cast<int>(unknown),
+          fmt::format("t = {:.6g} s, {}: the energy explodes (velocity {:.3g} m/s, kinetic energy {:.3g} J, more than "
+                      "{:.3g} times its natural scale of {:.3g} J); look for a force with the wrong sign or a step too "
+                      "long for the stiffness",
+                      state.t, nodeName(unknown), *fastest, kineticEnergy, explosion_, energyScale_)};
+}
+
+std::string RunMonitor::nodeName(std::size_t unknown) const {
+  const auto dimension = static_cast<std::size_t>(dimension_);
+  if (dimension == 1) return fmt::format("node {}", unknown);
+  return fmt::format("node {} ({})", unknown / dimension, "xyz"[unknown % dimension]);
+}
+
+}  // namespace muelle

@@ -1,0 +1,35 @@
+#pragma once
+#include "harness/dynamical_system.h"
+#include "harness/trajectory.h"
+
+#include <vector>
+
+namespace muelle {
+
+/// Watches a run for what simulate() stops at: numbers that are not finite and energy that explodes.
+class RunMonitor {
+ public:
+  /// \param explosion, duration, dimension as in SimulationOptions
+  RunMonitor(const DynamicalSystem& system, double explosion, double duration, int dimension);
+
+  /// Checks the first state and its forces, and takes the natural scale of the kinetic energy from them.
+  StopReport checkStart(const State& start);
+  /// Checks the state after a step from `before`. Allocates nothing while all is well.
+  StopReport checkStep(const State& before, const State& after);
+
+ private:
+  StopReport notFinite(double t, std::size_t unknown, const char* what) const;
+  StopReport exploded(const State& state, double kineticEnergy) const;
+  /// Whether the forces at the state are finite; a report when they are not.
+  StopReport checkForce(const State& state);
+  std::string nodeName(std::size_t unknown) const;
+
+  const DynamicalSystem& system_;
+  double explosion_;
+  double duration_;
+  int dimension_;
+  double energyScale_ = 0.0;
+  std::vector<double> force_;
+};
+
+}  // namespace muelle

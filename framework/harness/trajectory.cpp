@@ -1,0 +1,77 @@
+#include "harness/trajectory.h"
+
+#include "harness/file.h"
+
+#include <fmt/format.h>
+#include <iterator>
+#include <stdexcept>
+
+namespace muelle {
+
+namespace {
+
+std::vector<double> column(const std::vector<std::vector<double>>& rows, int i, const char* what) {
+  std::vector<double> values;
+  values.reserve(rows.size());
+  for (const std::vector<double>& row : rows) {
+    if (i < 0 || static_cast<std::size_t>(i) >= row.size()) {
+      throw std::out_of_range(fmt::format("Trajectory: {} {} of {} degrees of freedom", what, i, row.size()));
+    }
+    values.push_back(row[static_cast<std::size_t>(i)]);
+  }
+  return values;
+}
+
+/// A field of RFC 4180: quoted only when it must be.
+std::string csvField(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string csvHeader(const Trajectory& trajectory) {
+  std::string header = "t [s]";
+  const std::size_t size = trajectory.x.empty() ? 0 : trajectory.x.front().size();
+  for (std::size_t i = 0; i < size; ++i) header += fmt::format(",x{} [m]", i);
+  for (std::size_t i = 0; i < size; ++i) header += fmt::format(",v{} [m/s]", i);
+  for (const Track& track : trajectory.tracks) {
+    header += ',' + csvField(fmt::format("{} [{}]", track.name, track.unit));
+  }
+  return header + '\n';
+}
+
+}  // namespace
+
+std::vector<double> Trajectory::position(int i) const { return column(x, i, "position"); }
+std::vector<double> Trajectory::velocity(int i) const { return column(v, i, "velocity"); }
+
+const std::vector<double>& Trajectory::track(const std::string& name) const {
+  std::string known;
+  for (const Track& candidate : tracks) {
+    if (candidate.name == name) return candidate.values;
+    known += (known.empty() ? "'" : ", '") + candidate.name + "'";
+  }
+  throw std::out_of_range(
+      fmt::format("Trajectory: no probe '{}'; there are: {}", name, known.empty() ? "none" : known));
+}
+
+State Trajectory::last() const {
+  if (t.empty()) throw std::out_of_range("Trajectory: no state was recorded");
+  return {t.back(), x.back(), v.back(), {}};
+}
+
+void writeCsv(const Trajectory& trajectory, const std::filesystem::path& file) {
+  std::string text = csvHeader(trajectory);
+  const auto out = std::back_inserter(text);
+  for (std::size_t row = 0; row < trajectory.t.size(); ++row) {
+    fmt::format_to(out, "{}", trajectory.t[row]);  // the shortest text that reads back as the same number
+    for (const double value : trajectory.x[row]) fmt::format_to(out, ",{}", value);
+    for (const double value : trajectory.v[row]) fmt::format_to(out, ",{}", value);
+    for (const Track& track : trajectory.tracks) fmt::format_to(out, ",{}", track.values[row]);
+    text += '\n';
+  }
+  writeFile(file, text);
+}
+
+}  // namespace muelle
