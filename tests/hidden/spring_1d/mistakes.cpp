@@ -1,0 +1,161 @@
+#include "spring_1d.h"
+
+#include "grader/remote/mistakes.h"
+
+#include <limits>
+
+// A mistake in the spring's force shows in every function that uses it, so each is registered for all four of them.
+
+namespace {
+
+/// Minus the product of the lecture's three factors, any of which a mistake may spoil.
+double force(double stiffness, double deformation, double direction) { return -stiffness * deformation * direction; }
+
+/// +1 when a is above b, -1 when below.
+double direction(double xa, double xb) { return xa > xb ? 1.0 : xa < xb ? -1.0 : 0.0; }
+
+double wrongSign(double xa, double xb, double k, double L0) { return -oracle::springForceOnA(xa, xb, k, L0); }
+
+double missingRestLength(double xa, double xb, double k, double) {
+  return force(k, std::abs(xa - xb), direction(xa, xb));
+}
+
+double notNormalised(double xa, double xb, double k, double L0) { return force(k, std::abs(xa - xb) - L0, xa - xb); }
+
+// Without the quotient (xa - xb) / L nothing is divided by 0, so these two have no case for L = 0.
+
+double missingDirection(double xa, double xb, double k, double L0) { return force(k, std::abs(xa - xb) - L0, 1.0); }
+
+double signedLength(double xa, double xb, double k, double L0) { return force(k, xa - xb - L0, 1.0); }
+
+double missingGuard(double xa, double xb, double k, double L0) {
+  return xa == xb ? std::numeric_limits<double>::quiet_NaN() : oracle::springForceOnA(xa, xb, k, L0);
+}
+
+double relativeDeformation(double xa, double xb, double k, double L0) {
+  return force(k, (std::abs(xa - xb) - L0) / L0, direction(xa, xb));
+}
+
+double alwaysAttracts(double xa, double xb, double k, double L0) {
+  return force(k, std::abs(std::abs(xa - xb) - L0), direction(xa, xb));
+}
+
+double missingStiffness(double xa, double xb, double, double L0) { return oracle::springForceOnA(xa, xb, 1.0, L0); }
+
+double halved(double xa, double xb, double k, double L0) { return oracle::springForceOnA(xa, xb, k / 2, L0); }
+
+}  // namespace
+
+#define SPRING_MISTAKE(id, forceOnA)                                                                                \
+  MUELLE_MISTAKE(springForceOnA, id, forceOnA);                                                                     \
+  MUELLE_MISTAKE(springForceOnB, id,                                                                                \
+                 [](double xa, double xb, double k, double L0) { return -forceOnA(xa, xb, k, L0); });               \
+  MUELLE_MISTAKE(hangingAcceleration, id, [](double x, double m, const Attachment& top, double g) {                 \
+    return forceOnA(x, top.x, top.k, top.L0) / m - g;                                                               \
+  });                                                                                                               \
+  MUELLE_MISTAKE(                                                                                                   \
+      accelerationBetween, id, [](double x, double m, const Attachment& lower, const Attachment& upper, double g) { \
+        const double total = forceOnA(x, lower.x, lower.k, lower.L0) + forceOnA(x, upper.x, upper.k, upper.L0);     \
+        return total / m - g;                                                                                       \
+      })
+
+SPRING_MISTAKE(wrong_sign, wrongSign);
+SPRING_MISTAKE(missing_rest_length, missingRestLength);
+SPRING_MISTAKE(not_normalised, notNormalised);
+SPRING_MISTAKE(missing_direction, missingDirection);
+SPRING_MISTAKE(signed_length, signedLength);
+SPRING_MISTAKE(missing_guard, missingGuard);
+SPRING_MISTAKE(relative_deformation, relativeDeformation);
+SPRING_MISTAKE(always_attracts, alwaysAttracts);
+SPRING_MISTAKE(missing_stiffness, missingStiffness);
+SPRING_MISTAKE(halved, halved);
+
+namespace {
+
+using ForceRegistration = muelle::grader::MistakeRegistration<decltype(::springForceOnA)>;
+
+/// What a student's guard against L = 0 may compare with or add; each spoils other calls of the test of short springs.
+constexpr double smallNumbers[] = {1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8,    1e-9,  1e-10, 1e-11,
+                                   1e-12, 1e-13, 1e-14, 1e-15, 1e-16, 1e-20, 2.3e-16, 1e-30, 1e-50};
+
+double forceWithThreshold(double threshold, double xa, double xb, double k, double L0) {
+  return std::abs(xa - xb) < threshold ? 0.0 : oracle::springForceOnA(xa, xb, k, L0);
+}
+
+double forceSoftened(double small, double xa, double xb, double k, double L0) {
+  const double L = std::abs(xa - xb);
+  return force(k, L - L0, (xa - xb) / (L + small));
+}
+
+std::vector<ForceRegistration> registerGuards() {
+  std::vector<ForceRegistration> registrations;
+  const auto add = [&registrations](const char* id, auto forceOnA) {
+    registrations.emplace_back("springForceOnA", id, &oracle::springForceOnA, forceOnA);
+    registrations.emplace_back(
+        "springForceOnB", id, &oracle::springForceOnB,
+        [forceOnA](double xa, double xb, double k, double L0) { return -forceOnA(xa, xb, k, L0); });
+  };
+  for (const double small : smallNumbers) {
+    add("threshold",
+        [small](double xa, double xb, double k, double L0) { return forceWithThreshold(small, xa, xb, k, L0); });
+    add("softened_length",
+        [small](double xa, double xb, double k, double L0) { return forceSoftened(small, xa, xb, k, L0); });
+  }
+  return registrations;
+}
+
+[[maybe_unused]] const std::vector<ForceRegistration> guards = registerGuards();
+
+double forceOf(double x, const Attachment& spring) { return oracle::springForceOnA(x, spring.x, spring.k, spring.L0); }
+
+}  // namespace
+
+MUELLE_MISTAKE(lumpedMass, shared_among_springs, [](double M, int n) { return M / (n - 1); });
+MUELLE_MISTAKE(lumpedMass, mass_not_shared, [](double M, int) { return M; });
+MUELLE_MISTAKE(lumpedMass, mass_multiplied, [](double M, int n) { return M * n; });
+
+#define NODE_MISTAKE(id, accelerationFrom)                                                            \
+  MUELLE_MISTAKE(hangingAcceleration, id, [](double x, double m, const Attachment& top, double g) {   \
+    return accelerationFrom(forceOf(x, top), m, g);                                                   \
+  });                                                                                                 \
+  MUELLE_MISTAKE(accelerationBetween, id,                                                             \
+                 [](double x, double m, const Attachment& lower, const Attachment& upper, double g) { \
+                   return accelerationFrom(forceOf(x, lower) + forceOf(x, upper), m, g);              \
+                 })
+
+namespace {
+
+double gravityUp(double force, double m, double g) { return force / m + g; }
+double missingGravity(double force, double m, double) { return force / m; }
+double weightWithoutMass(double force, double m, double g) { return (force - g) / m; }
+double weightTwiceMass(double force, double m, double g) { return force / m - m * g; }
+double missingMass(double force, double m, double g) { return force - m * g; }
+double onlyGravityIsAcceleration(double force, double, double g) { return force - g; }
+double multipliedByMass(double force, double m, double g) { return (force - m * g) * m; }
+
+}  // namespace
+
+NODE_MISTAKE(gravity_up, gravityUp);
+NODE_MISTAKE(missing_gravity, missingGravity);
+NODE_MISTAKE(weight_without_mass, weightWithoutMass);
+NODE_MISTAKE(weight_not_divided, weightTwiceMass);
+NODE_MISTAKE(missing_mass, missingMass);
+NODE_MISTAKE(force_not_divided, onlyGravityIsAcceleration);
+NODE_MISTAKE(multiplied_by_mass, multipliedByMass);
+
+MUELLE_MISTAKE(accelerationBetween, upper_spring_only,
+               [](double x, double m, const Attachment&, const Attachment& upper, double g) {
+                 return forceOf(x, upper) / m - g;
+               });
+MUELLE_MISTAKE(accelerationBetween, lower_spring_only,
+               [](double x, double m, const Attachment& lower, const Attachment&, double g) {
+                 return forceOf(x, lower) / m - g;
+               });
+MUELLE_MISTAKE(accelerationBetween, springs_subtracted,
+               [](double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+                 return (forceOf(x, upper) - forceOf(x, lower)) / m - g;
+               });
+MUELLE_MISTAKE(accelerationBetween, gravity_twice,
+               [](double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+                 return (forceOf(x, lower) + forceOf(x, upper)) / m - 2 * g;
+               });

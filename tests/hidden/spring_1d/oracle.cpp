@@ -1,0 +1,25 @@
+#include "spring_1d.h"
+
+// Written by cases instead of the lecture's quotient: a is above b, below b, or on it.
+
+namespace oracle {
+
+double lumpedMass(double M, int n) { return M * (1.0 / n); }
+
+double springForceOnA(double xa, double xb, double k, double L0) {
+  if (xa > xb) return k * (L0 - (xa - xb));
+  if (xa < xb) return k * ((xb - xa) - L0);
+  return 0.0;
+}
+
+double springForceOnB(double xa, double xb, double k, double L0) { return springForceOnA(xb, xa, k, L0); }
+
+double hangingAcceleration(double x, double m, const Attachment& top, double g) {
+  return (springForceOnB(top.x, x, top.k, top.L0) - m * g) / m;
+}
+
+double accelerationBetween(double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+  return oracle::hangingAcceleration(x, m, upper, g) + springForceOnB(lower.x, x, lower.k, lower.L0) / m;
+}
+
+}  // namespace oracle
