@@ -14,15 +14,19 @@ namespace {
 constexpr double canvasWidth = 960;
 constexpr double plotLeft = 112;  // room for the numbers on the y axis
 constexpr double plotRight = 926;
-constexpr double titleHeight = 52;
-constexpr double rowHeight = 28;  // a row above a panel: the y label, or part of the key
-constexpr double panelGap = 22;
-constexpr double footHeight = 74;  // numbers and label of the x axis
+constexpr double labelIndent = 88;  // the y label begins so far left of the plot, above the numbers
+constexpr double titleHeight = 50;
+constexpr double rowHeight = 26;   // a row above a panel: the y label and the key
+constexpr double headerFoot = 12;  // between those rows and the plot, for the topmost number of the y axis
+constexpr double panelGap = 16;
+constexpr double footHeight = 72;  // numbers and label of the x axis
 constexpr double singleHeight = 386;
 constexpr double stackedHeight = 196;
 constexpr double equalHeight = 500;
-constexpr double characterWidth = 9.6;  // of the 17 px font, generous
-constexpr double sampleWidth = 62;      // the piece of line before a name in the key
+constexpr double characterWidth = 9.0;  // of the 17 px font, on the generous side: the viewer chooses the face
+constexpr double sampleLength = 40;     // the piece of line before a name in the key
+constexpr double sampleGap = 8;
+constexpr double entryGap = 20;
 
 /// gnuplot's measure: fractions of the canvas, y from the bottom.
 class Canvas {
@@ -52,42 +56,39 @@ std::string quoted(std::string text) {
   return '\'' + text + '\'';
 }
 
-/// Characters on the screen, from those of UTF-8.
 double widthOf(const std::string& text) { return characterWidth * static_cast<double>(text.size()); }
 
 /// A curve as the script knows it.
 struct Curve {
   const Series* series;
-  int block;          ///< index in the data file; -1: no point to draw
-  std::string style;  ///< "lines ls 1"
+  int block;  ///< index in the data file; -1: no point to draw
+  bool asPoints;
+  int style;  ///< number of the line style
+
+  std::string nameInKey() const {
+    return block >= 0 || series->name.empty() ? series->name : series->name + " (no data)";
+  }
+  double widthInKey() const { return sampleLength + sampleGap + widthOf(nameInKey()); }
 };
 
-struct KeyLayout {
-  int columns = 1;
-  int rows = 0;
-  bool besideLabel = false;  ///< one row that fits to the right of the y label
-};
+/// The curves that have a name, in rows from the top. The first row shares its line with the y label and may be empty.
+using KeyRows = std::vector<std::vector<Curve>>;
 
-std::string nameInKey(const Curve& curve) {
-  const std::string& name = curve.series->name;
-  return curve.block >= 0 || name.empty() ? name : name + " (no data)";
-}
-
-KeyLayout keyLayout(const std::vector<Curve>& curves, const std::string& yLabel) {
-  double entry = 0;
-  int count = 0;
+KeyRows keyRows(const std::vector<Curve>& curves, const std::string& yLabel) {
+  KeyRows rows(1);
+  double room = plotRight - plotLeft + labelIndent - widthOf(yLabel) - entryGap;
   for (const Curve& curve : curves) {
     if (curve.series->name.empty()) continue;
-    entry = std::max(entry, widthOf(nameInKey(curve)) + sampleWidth);
-    ++count;
+    const double width = curve.widthInKey() + entryGap;
+    const bool isAlone = rows.size() > 1 && rows.back().empty();
+    if (width > room && !isAlone) {
+      rows.emplace_back();
+      room = plotRight - plotLeft;
+    }
+    room -= width;
+    rows.back().push_back(curve);
   }
-  if (count == 0) return {};
-  const double width = plotRight - plotLeft;
-  KeyLayout layout;
-  layout.besideLabel = count * entry + widthOf(yLabel) + 40 < plotRight - 24;
-  layout.columns = layout.besideLabel ? count : std::clamp(static_cast<int>(width / entry), 1, count);
-  layout.rows = (count + layout.columns - 1) / layout.columns;
-  return layout;
+  return rows;
 }
 
 /// Where a panel lies: pixels from the top left corner.
@@ -98,8 +99,7 @@ struct Box {
 struct PanelPlan {
   const Panel* panel;
   std::vector<Curve> curves;
-  KeyLayout key;
-  double header;  ///< height of the rows above the plot
+  KeyRows key;
   AxisRange x, y;
   Box box;
 };
@@ -143,7 +143,7 @@ class ScriptWriter {
     data_ = "# " + figure_.title() + '\n';
     for (const Panel& panel : figure_.panels()) {
       points = points || anyPoints(panel);
-      PanelPlan plan{&panel, {}, {}, 0, {}, {}, {}};
+      PanelPlan plan{&panel, {}, {}, {}, {}, {}};
       AxisFitter ys(panel.logY);
       int colour = 0;
       for (const Series* series : inKeyOrder(panel)) {
@@ -154,8 +154,7 @@ class ScriptWriter {
           ys.include(series->y[i]);
         }
       }
-      plan.key = keyLayout(plan.curves, panel.yLabel);
-      plan.header = rowHeight * (plan.key.besideLabel ? 1 : 1 + plan.key.rows);
+      plan.key = keyRows(plan.curves, panel.yLabel);
       plan.y = ys.range(0.06);
       plans_.push_back(std::move(plan));
     }
@@ -166,9 +165,10 @@ class ScriptWriter {
     const std::string lines = dataBlock(series, figure_.hasLogX(), panel.logY);
     // A line through one point would not be seen.
     const bool isOnePoint = std::count(lines.begin(), lines.end(), '\n') == 1;
-    const int style = series.pen == Pen::Reference ? 20 : 1 + colour++ % 12;
-    const char* pen = series.pen == Pen::Points || isOnePoint ? "points" : "lines";
-    plan.curves.push_back({&series, lines.empty() ? -1 : blocks, fmt::format("{} ls {}", pen, style)});
+    const int style = series.pen == Pen::Reference ? referenceStyle : 1 + colour++ % mostStyles;
+    styleCount_ = std::max(styleCount_, std::min(colour, mostStyles));
+    const bool asPoints = series.pen == Pen::Points || isOnePoint;
+    plan.curves.push_back({&series, lines.empty() ? -1 : blocks, asPoints, style});
     if (lines.empty()) return;
     data_ += fmt::format("{}# block {}: {}; columns: {}, {}\n{}", blocks > 0 ? "\n\n" : "", blocks, series.name,
                          figure_.xLabel(), panel.yLabel, lines);
@@ -180,7 +180,7 @@ class ScriptWriter {
     if (figure_.hasEqualAxes() && plans_.size() == 1) plotHeight = equalHeight;
     double y = titleHeight;
     for (PanelPlan& plan : plans_) {
-      y += plan.header;
+      y += rowHeight * static_cast<double>(plan.key.size()) + headerFoot;
       plan.box = {plotLeft, plotRight, y, y + plotHeight};
       if (figure_.hasEqualAxes()) equaliseAxes(plan);
       y += plotHeight + panelGap;
@@ -212,78 +212,97 @@ class ScriptWriter {
     put("set border 3 lc rgb '#555555' lw 1.2");
     put("set grid xtics ytics back lt 1 lc rgb '#e4e4e4' lw 1");
     put("set tics nomirror out scale 0.6 textcolor rgb '#333333'");
+    put("set xtics offset 0,0.3");
     put("set format '%.8g'");
     if (figure_.hasLogX()) put("set logscale x");
     put("set multiplot");
-    put("set label 1 {} at screen {},{} left font ',21' textcolor rgb '#111111' noenhanced", quoted(figure_.title()),
-        canvas_.x(20), canvas_.y(32));
+    put("unset key");
+    put("set label {} at screen {},{} left font ',{:.0f}' textcolor rgb '#111111' noenhanced", quoted(figure_.title()),
+        canvas_.x(20), canvas_.y(32), titleSize());
+  }
+
+  /// Font size of the title [px]: smaller when it is long, so that it stays on the canvas.
+  double titleSize() const {
+    constexpr double usual = 21;
+    constexpr double widthPerSize = 0.56;  // of a character, in font sizes
+    const double fitting = (canvasWidth - 40) / (widthPerSize * static_cast<double>(figure_.title().size() + 1));
+    return std::clamp(fitting, 10.0, usual);
   }
 
   /// Okabe and Ito (2008) without their yellow, which a projector swallows; the second round is dashed.
   void writeStyles() {
     constexpr const char* palette[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
     constexpr int markers[] = {7, 5, 9, 13, 11, 15};  // filled: disc, square, triangle, diamond ...
-    for (int i = 0; i < 12; ++i) {
-      put("set style line {} lc rgb '{}' lw 2.4 dt {} pt {} ps 0.7", i + 1, palette[i % 6], i < 6 ? "1" : "(8,4)",
+    for (int i = 0; i < styleCount_; ++i) {
+      put("set style line {} lc rgb '{}' lw 2.4 dt {} pt {} ps 0.8", i + 1, palette[i % 6], i < 6 ? "1" : "(8,4)",
           markers[i % 6]);
     }
-    put("set style line 20 lc rgb '#9a9a9a' lw 5 dt (2.2,1.4) pt 6 ps 1.2");
+    put("set style line {} lc rgb '#9a9a9a' lw 5 dt (5,2.5) pt 6 ps 1.2", referenceStyle);
   }
 
   void writePanel(const PanelPlan& plan, bool isFirst, bool isLast) {
     const Box& box = plan.box;
-    if (!isFirst) put("unset label 1");
+    put("");
+    if (!isFirst) put("unset label; unset arrow");
     put("set lmargin at screen {}; set rmargin at screen {}", canvas_.x(box.left), canvas_.x(box.right));
     put("set tmargin at screen {}; set bmargin at screen {}", canvas_.y(box.top), canvas_.y(box.bottom));
     put("set xrange [{:.10g}:{:.10g}]", plan.x.low, plan.x.high);
     put("set yrange [{:.10g}:{:.10g}]", plan.y.low, plan.y.high);
     put("{}", plan.panel->logY ? "set logscale y; set format y '10^{%T}'" : "unset logscale y; set format y '%.8g'");
-    if (isLast) {
-      put("set format x {}; set xlabel {} noenhanced", figure_.hasLogX() ? "'10^{%T}'" : "'%.8g'",
-          quoted(figure_.xLabel()));
-    } else {
-      put("set format x ''; unset xlabel");
+    const char* xFormat = figure_.hasLogX() ? "10^{%T}" : "%.8g";
+    put("set format x '{}'", isLast ? xFormat : "");
+    if (isLast) putText(figure_.xLabel(), 0.5 * (box.left + box.right), box.bottom + 54, "center");
+    const double firstRow = box.top - headerFoot - rowHeight * (static_cast<double>(plan.key.size()) - 0.5);
+    putText(plan.panel->yLabel, box.left - labelIndent, firstRow, "left");
+    for (std::size_t row = 0; row < plan.key.size(); ++row) {
+      writeKeyRow(plan.key[row], firstRow + rowHeight * static_cast<double>(row));
     }
-    put("set label 2 {} at screen {},{} left noenhanced textcolor rgb '#111111'", quoted(plan.panel->yLabel),
-        canvas_.x(24), canvas_.y(box.top - plan.header + 14));
-    writeKey(plan);
     writeCurves(plan);
   }
 
-  void writeKey(const PanelPlan& plan) {
-    if (plan.key.rows == 0) {
-      put("unset key");
-      return;
-    }
-    const double top = plan.box.top - rowHeight * plan.key.rows - 6;
-    put("set key at screen {},{} right top horizontal Left reverse noenhanced samplen 2.2 maxcols {}",
-        canvas_.x(plotRight), canvas_.y(top), plan.key.columns);
+  void putText(const std::string& text, double x, double y, const char* side) {
+    if (text.empty()) return;
+    put("set label {} at screen {},{} {} noenhanced textcolor rgb '#111111'", quoted(text), canvas_.x(x), canvas_.y(y),
+        side);
   }
 
-  /// References first, so that they lie underneath; their names follow in the key.
-  void writeCurves(const PanelPlan& plan) {
-    std::string drawn;
-    std::string named;
-    for (const Curve& curve : plan.curves) {
-      const bool isReference = curve.series->pen == Pen::Reference;
-      const std::string name = nameInKey(curve);
-      if (curve.block >= 0) {
-        const std::string plot =
-            fmt::format("  '{}.dat' index {} using 1:2 with {} notitle", figure_.id(), curve.block, curve.style);
-        drawn = isReference ? plot + ", \\\n" + drawn : drawn + plot + ", \\\n";
+  /// One row of the key, flush right. Drawn by hand, because gnuplot gives all names the width of the longest.
+  void writeKeyRow(const std::vector<Curve>& row, double y) {
+    double x = plotRight + entryGap;
+    for (const Curve& curve : row) x -= curve.widthInKey() + entryGap;
+    for (const Curve& curve : row) {
+      if (curve.asPoints) {
+        put("set label '' at screen {},{} point ls {}", canvas_.x(x + 0.5 * sampleLength), canvas_.y(y), curve.style);
+      } else {
+        put("set arrow from screen {1},{0} to screen {2},{0} nohead ls {3}", canvas_.y(y), canvas_.x(x),
+            canvas_.x(x + sampleLength), curve.style);
       }
-      if (!name.empty()) named += fmt::format("  keyentry with {} title {}, \\\n", curve.style, quoted(name));
+      putText(curve.nameInKey(), x + sampleLength + sampleGap, y, "left");
+      x += curve.widthInKey() + entryGap;
     }
-    if (drawn.empty()) {
-      put("set label 3 'no data' at graph 0.5,0.5 center textcolor rgb '#777777'");
-      drawn = "  NaN notitle, \\\n";
-    }
-    const std::string all = drawn + named;
-    put("plot \\\n{}", all.substr(0, all.size() - 4));  // without the last ", \" and line end
-    put("unset label 3");
   }
+
+  /// References first, so that they lie underneath.
+  void writeCurves(const PanelPlan& plan) {
+    std::string curves;
+    const auto add = [&](bool references) {
+      for (const Curve& curve : plan.curves) {
+        if (curve.block < 0 || (curve.series->pen == Pen::Reference) != references) continue;
+        curves += fmt::format("{}'{}.dat' index {} using 1:2 with {} ls {}", curves.empty() ? "" : ", \\\n     ",
+                              figure_.id(), curve.block, curve.asPoints ? "points" : "lines", curve.style);
+      }
+    };
+    add(true);
+    add(false);
+    if (curves.empty()) put("set label 'no data' at graph 0.5,0.5 center textcolor rgb '#777777'");
+    put("plot {}", curves.empty() ? "NaN" : curves);
+  }
+
+  static constexpr int mostStyles = 12;
+  static constexpr int referenceStyle = 20;
 
   const Figure& figure_;
+  int styleCount_ = 0;
   Canvas canvas_;
   std::vector<PanelPlan> plans_;
   std::string data_;
