@@ -1,0 +1,15 @@
+// loses: RelativeDamping, PairLaws, RelativeMotion; misconception: relative_ignores_b
+#include "damping.h"
+
+Vec3 nodeDamping(const Vec3& va, double d) { return -d * va; }
+
+Vec3 relativeDamping(const Vec3& va, const Vec3&, double d) { return -d * va; }
+
+Vec3 projectedDamping(const Vec3& xa, const Vec3& xb, const Vec3& va, const Vec3& vb, double d) {
+  const Vec3 r = xa - xb;
+  const double L = r.norm();
+  if (L == 0.0) return Vec3::Zero();
+  const Vec3 u = r / L;
+  const Vec3 v = va - vb;
+  return -d * v.dot(u) * u;
+}
