@@ -3,7 +3,9 @@
 /// Turns Eigen's assertions into a report that a student can read.
 ///
 /// Must come before any header of Eigen. Eigen's range checks have the offending index in a local variable called
-/// `index`; where an assertion has no such variable, the name finds Eigen::index below, which says "unknown".
+/// `index`; where an assertion has no such variable, the name finds Eigen::index below, which says "unknown". Where it
+/// finds something that is no number (Diagonal and the sparse iterators have a member function index()), neither is
+/// used.
 
 namespace muelle {
 
@@ -31,7 +33,13 @@ inline constexpr ::muelle::AssertedIndex index{};
 #ifdef eigen_assert
 #error "harness/eigen_assertion.h must be included before Eigen"
 #endif
-#define eigen_assert(condition)                                                       \
-  do {                                                                                \
-    if (!(condition)) ::muelle::eigenAssertionFailed(#condition, __PRETTY_FUNCTION__, index); \
+#define eigen_assert(condition)                                                                     \
+  do {                                                                                              \
+    if (!(condition)) {                                                                             \
+      if constexpr (requires { ::muelle::AssertedIndex(index); }) {                                 \
+        ::muelle::eigenAssertionFailed(#condition, __PRETTY_FUNCTION__, index);                     \
+      } else {                                                                                      \
+        ::muelle::eigenAssertionFailed(#condition, __PRETTY_FUNCTION__, ::muelle::AssertedIndex{}); \
+      }                                                                                             \
+    }                                                                                               \
   } while (false)
