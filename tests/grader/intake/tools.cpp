@@ -75,7 +75,7 @@ void setFormat(archive* a, Format format) {
 
 void writeEntry(archive* a, const ArchiveEntry& given) {
   const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(::archive_entry_new(), ::archive_entry_free);
-  ::archive_entry_set_pathname(entry.get(), given.name.c_str());
+  ::archive_entry_set_pathname_utf8(entry.get(), given.name.c_str());
   ::archive_entry_set_filetype(entry.get(), given.type);
   ::archive_entry_set_perm(entry.get(), 0644);
   ::archive_entry_set_size(entry.get(), static_cast<la_int64_t>(given.text.size()));

@@ -1,0 +1,91 @@
+#include "grader/report/report.h"
+#include "sample.h"
+#include "well_formed.h"
+
+#include <gtest/gtest.h>
+#include <set>
+
+namespace muelle::grader {
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// The page without its style sheet, which holds no text of a submission.
+std::string body(const GradedSubmission& graded) {
+  const std::string page = htmlPage(graded);
+  return page.substr(page.find("<body>"));
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++n;
+  return n;
+}
+
+TEST(HtmlPage, ShowsEveryCriterionWithItsPoints) {
+  const std::string page = body(sampleSubmission());
+  EXPECT_EQ(count(page, "<div class=\"criterion "), 10u);
+  EXPECT_TRUE(has(page, "<b>9</b> of 35"));
+  EXPECT_TRUE(has(page, "García Núñez, Inés.zip"));
+  EXPECT_TRUE(has(page, "&#39;normal&#39; was not declared in this scope"));
+  EXPECT_TRUE(has(page, "damping.cpp was not handed in"));
+}
+
+TEST(HtmlPage, PutsTheMistakeBeforeThePropertyBeforeTheValues) {
+  const std::string page = body(sampleSubmission());
+  const std::size_t mistake = page.find("right size and the wrong sign"), property = page.find("obeys law number 0"),
+                    call = page.find("springForce(0.5"), got = page.find("<dd class=\"got\">-2.5</dd>");
+  EXPECT_LT(mistake, property);
+  EXPECT_LT(property, call);
+  EXPECT_LT(call, got);
+  EXPECT_NE(got, std::string::npos);
+}
+
+TEST(HtmlPage, HasTheCurvesAsImages) {
+  const std::string page = body(sampleSubmission());
+  EXPECT_EQ(count(page, " src=\"data:image/svg+xml;base64,"), 3u);
+  EXPECT_EQ(count(page, " src="), 3u);
+  EXPECT_TRUE(has(page, "No curves: the demo stopped"));
+}
+
+TEST(HtmlPage, ForbidsScriptsAndOutsideResources) {
+  const std::string page = htmlPage(sampleSubmission());
+  EXPECT_TRUE(
+      has(page,
+          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
+          "img-src data:; base-uri 'none'; form-action 'none'\">"));
+  EXPECT_FALSE(has(page, "http://"));
+  EXPECT_FALSE(has(page, "https://"));
+  EXPECT_FALSE(has(page, "url("));
+}
+
+TEST(HtmlPage, SaysWhenTheGraderFailed) {
+  GradedSubmission graded = sampleSubmission();
+  EXPECT_FALSE(has(body(graded), "class=\"warning\""));
+  graded.exercises[0].verdicts.at("HookeForce").graderFault = "disk full";
+  const std::string page = body(graded);
+  EXPECT_TRUE(has(page, "class=\"warning\""));
+  EXPECT_TRUE(has(page, "<b>no score</b> / 4"));
+}
+
+TEST(HtmlPage, TextOfASubmissionIsOnlyText) {
+  const std::set<std::string> elements{"body", "main", "header", "footer", "section", "nav",     "div",    "p",   "h1",
+                                       "h2",   "h3",   "span",   "b",      "a",       "ul",      "li",     "pre", "dl",
+                                       "dt",   "dd",   "svg",    "rect",   "img",     "details", "summary"};
+  const std::set<std::string> attributes{"class", "id",         "href",    "title",
+                                         "src",   "alt",        "viewBox", "preserveAspectRatio",
+                                         "role",  "aria-label", "width",   "height"};
+  const std::size_t plain = startTags(body(hostileSubmission("plain text"))).size();
+  for (const std::string& text : hostileTexts()) {
+    const std::vector<Tag> tags = startTags(body(hostileSubmission(text)));
+    // Fewer when a long line was cut; one more would be of the text.
+    EXPECT_LE(tags.size(), plain) << text.substr(0, 40);
+    for (const Tag& tag : tags) {
+      EXPECT_TRUE(elements.contains(tag.name)) << tag.name;
+      for (const std::string& attribute : tag.attributes) EXPECT_TRUE(attributes.contains(attribute)) << attribute;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace muelle::grader

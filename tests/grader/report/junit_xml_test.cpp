@@ -1,0 +1,74 @@
+#include "grader/report/report.h"
+#include "sample.h"
+#include "well_formed.h"
+
+#include <gtest/gtest.h>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace muelle::grader {
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(JunitXml, CountsEveryCriterion) {
+  const std::string xml = junitXml(sampleSubmission());
+  EXPECT_EQ(xmlFault(xml), "");
+  EXPECT_TRUE(has(xml, "tests=\"10\" failures=\"8\" errors=\"0\""));
+  EXPECT_TRUE(
+      has(xml, "<testsuite name=\"spring_1d\" tests=\"2\" failures=\"0\" errors=\"0\" skipped=\"0\" time=\"0.500\""));
+  EXPECT_TRUE(has(xml, "<testcase classname=\"spring_1d\" name=\"HookeForce\" time=\"0.250\">\n    </testcase>"));
+}
+
+TEST(JunitXml, ACriterionThatDidNotRunIsAFailure) {
+  GradedSubmission graded;
+  graded.exercises = {exerciseWithoutVerdicts()};
+  const std::string xml = junitXml(graded);
+  EXPECT_TRUE(has(xml, "failures=\"2\" errors=\"0\" skipped=\"0\""));
+  EXPECT_TRUE(has(xml, "<failure message=\"not run: there is no record of this criterion\" type=\"not run\">"));
+}
+
+TEST(JunitXml, APartialCriterionIsAFailure) {
+  GradedSubmission graded;
+  graded.exercises = {
+      with(with(exerciseWithoutVerdicts(), verdict("HookeForce", 1, 0)), verdict("Acceleration", 2, 1))};
+  EXPECT_TRUE(has(junitXml(graded), "failures=\"1\" errors=\"0\""));
+}
+
+TEST(JunitXml, AFaultOfTheGraderIsAnError) {
+  Verdict v = verdict("HookeForce", 5, 0);
+  v.graderFault = "disk full";
+  GradedSubmission graded;
+  graded.exercises = {with(with(exerciseWithoutVerdicts(), v), verdict("Acceleration", 3, 0))};
+  const std::string xml = junitXml(graded);
+  EXPECT_TRUE(has(xml, "failures=\"0\" errors=\"1\""));
+  EXPECT_TRUE(has(xml, "<error message=\"the grader failed, not you"));
+}
+
+TEST(JunitXml, IsWellFormedWithAnyTextInside) {
+  for (const std::string& text : hostileTexts()) {
+    EXPECT_EQ(xmlFault(junitXml(hostileSubmission(text))), "") << text.substr(0, 40);
+  }
+}
+
+TEST(JunitXml, IsWellFormedToAnotherParser) {
+  if (std::system("xmllint --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "xmllint is not installed";
+  const auto file = std::filesystem::path(::testing::TempDir()) / "muelle_junit_xml_test.xml";
+  for (const std::string& text : hostileTexts()) {
+    std::ofstream(file, std::ios::binary) << junitXml(hostileSubmission(text));
+    EXPECT_EQ(std::system(("xmllint --noout --nonet '" + file.string() + "'").c_str()), 0) << text.substr(0, 40);
+  }
+  std::filesystem::remove(file);
+}
+
+TEST(XmlFault, SeesWhatIsNotWellFormed) {
+  const std::string start = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  EXPECT_EQ(xmlFault(start + "<a b=\"c\"><d/>&lt;</a>\n"), "");
+  for (const char* bad : {"<a>", "<a></b>", "<a>&x;</a>", "<a>& </a>", "<a b=c/>", "<a b=\"<\"/>", "<a/><a/>",
+                          "<a>\x1b</a>", "<a>\xff</a>", "<a b=\"\" b=\"\"/>", "x", ""})
+    EXPECT_NE(xmlFault(start + bad), "") << bad;
+}
+
+}  // namespace
+}  // namespace muelle::grader

@@ -1,0 +1,165 @@
+#include "sample.h"
+
+#include <fmt/format.h>
+
+namespace muelle::grader {
+
+GradedExercise exerciseWithoutVerdicts() {
+  GradedExercise exercise;
+  exercise.manifest.topic = "spring_1d";
+  exercise.manifest.title = "A spring in one dimension";
+  exercise.manifest.points = 7;
+  exercise.manifest.files = {"spring_1d.cpp"};
+  exercise.manifest.criteria = {{"Hooke's force on both nodes",
+                                 "HookeForce",
+                                 4,
+                                 false,
+                                 "look at the sign of the elongation L - L0",
+                                 {"springForce"}},
+                                {"Acceleration under gravity",
+                                 "Acceleration",
+                                 3,
+                                 true,
+                                 "add all forces before you divide by m",
+                                 {"acceleration"}}};
+  exercise.manifest.misconceptions = {
+      {"wrong_sign", "springForce",
+       "Your force has the right size and the wrong sign: F_a points from a towards b when the spring is stretched.",
+       "Check which node the unit vector starts at, with xa = 0, xb = 2 and L0 = 1."}};
+  exercise.build.status = BuildOutcome::Status::Built;
+  return exercise;
+}
+
+Verdict verdict(const std::string& suite, int passed, int failed) {
+  Verdict v;
+  v.topic = "spring_1d";
+  v.suite = suite;
+  v.seconds = 0.25;
+  for (int i = 0; i < passed; ++i) v.tests.push_back({fmt::format("Holds{}", i), "", true, {}, ""});
+  for (int i = 0; i < failed; ++i) {
+    v.tests.push_back(
+        {fmt::format("Fails{}", i),
+         fmt::format("The force obeys law number {}.", i),
+         false,
+         {"submission::springForce(xa, xb, k, L0): got -2.5, expected 2.5 (difference -5, tolerance 1e-12)"},
+         fmt::format("springForce({}.5, 3.25, 100, 1)", i)});
+  }
+  return v;
+}
+
+GradedExercise with(GradedExercise exercise, const Verdict& v) {
+  exercise.verdicts[v.suite] = v;
+  return exercise;
+}
+
+namespace {
+
+GradedExercise renamed(GradedExercise exercise, const std::string& topic, const std::string& title) {
+  exercise.manifest.topic = topic;
+  exercise.manifest.title = title;
+  exercise.manifest.files = {topic + ".cpp"};
+  for (auto& [suite, v] : exercise.verdicts) v.topic = topic;
+  return exercise;
+}
+
+/// A plain drawing in place of gnuplot's.
+std::string drawing() {
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 600 360\"><rect width=\"600\" height=\"360\" "
+         "fill=\"#fff\"/><path d=\"M60 300V40M60 300H560\" stroke=\"#333\" fill=\"none\"/><path d=\"M60 170C120 20 180 "
+         "20 "
+         "240 170S360 320 420 170S510 60 560 90\" stroke=\"#999\" stroke-dasharray=\"8 6\" stroke-width=\"3\" "
+         "fill=\"none\"/>"
+         "<path d=\"M60 170C120 40 190 40 250 180S370 300 430 180S510 90 560 120\" stroke=\"#0072b2\" "
+         "stroke-width=\"3\" "
+         "fill=\"none\"/><text x=\"270\" y=\"345\" font-size=\"18\" font-family=\"sans-serif\">time [s]</text></svg>";
+}
+
+}  // namespace
+
+GradedSubmission sampleSubmission() {
+  Verdict mistaken = verdict("HookeForce", 1, 2);
+  mistaken.misconceptions = {"wrong_sign"};
+  mistaken.output = "L = 2.75\nL = 3.1\n";
+  Verdict crashed = verdict("HookeForce", 1, 0);
+  crashed.fault = "segmentation fault in springForce";
+  crashed.tests.push_back(
+      {"Fails", "A spring of length zero exerts no force.", false, {}, "springForce(1, 1, 100, 1)"});
+
+  GradedExercise right =
+      with(with(exerciseWithoutVerdicts(), verdict("HookeForce", 4, 0)), verdict("Acceleration", 3, 0));
+  right.figures = {drawing(), drawing()};
+  GradedExercise wrong = with(with(exerciseWithoutVerdicts(), mistaken), verdict("Acceleration", 2, 1));
+  wrong.figures = {drawing()};
+  GradedExercise crash = with(with(exerciseWithoutVerdicts(), crashed), verdict("Acceleration", 0, 1));
+  crash.figuresNote = "No curves: the demo stopped with a segmentation fault in springForce.";
+  GradedExercise missing = exerciseWithoutVerdicts();
+  missing.build = {BuildOutcome::Status::Missing, "damping.cpp was not handed in", ""};
+  GradedExercise uncompiled = exerciseWithoutVerdicts();
+  uncompiled.build = {
+      BuildOutcome::Status::CompileError, "contact.cpp does not compile: 1 error",
+      "contact.cpp:14:10: error: 'normal' was not declared in this scope\n   14 |   return normal * k;\n"
+      "      |          ^~~~~~"};
+
+  GradedSubmission graded;
+  graded.name = "García Núñez, Inés.zip";
+  graded.intakeNotes = {"ignored 5 files that the course hands out; its own are used",
+                        "ignored in spring_1d/: CMakeLists.txt"};
+  graded.exercises = {right, renamed(wrong, "spring_3d", "A spring in three dimensions"),
+                      renamed(crash, "energy_gradient", "The force as the negative gradient of the elastic energy"),
+                      renamed(missing, "damping", "Damping, three variants"),
+                      renamed(uncompiled, "contact", "External contact")};
+  graded.sandbox = "bubblewrap";
+  graded.date = "2026-03-14T09:26:53Z";
+  graded.seconds = 12.3;
+  return graded;
+}
+
+const std::vector<std::string>& hostileTexts() {
+  static const std::vector<std::string> texts{
+      "<script>alert(1)</script>",
+      "\"><img src=x onerror=alert(1)>",
+      "'><svg/onload=alert(1)>",
+      "</pre></div><iframe src=\"http://example.com\">",
+      "]]><!--<?xml?>&lol;&#0;",
+      "\x1b[2J\x1b]0;title\x07 \x9b"
+      "31m \xc2\x9b"
+      "31m",
+      "=cmd|' /C calc'!A0",
+      "+1+1",
+      "@SUM(A1)",
+      "set terminal png; system \"rm -rf /\"",
+      std::string("nul\0inside", 10),
+      "bad \xff\xfe \xc3( \xed\xa0\x80 \xf4\x90\x80\x80 \xc0\xaf \xe2\x82",
+      "\u202egnp.exe \u2066 \u200f \u061c \ufeff \u200b \u2028 \u2029 \U000e0041 \uffff",
+      "one\rtwo\r\nthree\vfour\ffive\tsix",
+      "[       OK ] HookeForce.All (0 ms)\n[  PASSED  ] 99 tests.",
+      std::string(100'000, 'A'),
+      "Z\u0300\u0301\u0302\u0303 日本語 🙂",
+  };
+  return texts;
+}
+
+GradedSubmission hostileSubmission(const std::string& text) {
+  Verdict v = verdict("HookeForce", 0, 1);
+  v.fault = text;
+  v.output = text;
+  v.misconceptions = {text};
+  v.tests[0].details = {text, "value: got " + text + ", expected " + text + " (" + text};
+  v.tests[0].call = text;
+  v.tests[0].property = text;
+  Verdict ours = verdict("Acceleration", 1, 0);
+  ours.graderFault = text;
+  GradedExercise ran = with(with(exerciseWithoutVerdicts(), v), ours);
+  ran.figures = {text};
+  ran.figuresNote = text;
+  GradedExercise unbuilt = exerciseWithoutVerdicts();
+  unbuilt.build = {BuildOutcome::Status::CompileError, text, text};
+  GradedSubmission graded;
+  graded.name = text;
+  graded.intakeNotes = {text};
+  graded.exercises = {ran, unbuilt};
+  graded.sandbox = text;
+  return graded;
+}
+
+}  // namespace muelle::grader
