@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <string_view>
 
 namespace muelle::grader {
 
@@ -16,6 +17,14 @@ constexpr std::size_t shownBytes = 2000;
 constexpr std::size_t outputBytes = 8 * 1024;
 
 std::string line(const std::string& text) { return cut(printableLine(text), shownBytes); }
+
+/// The tests write submission::springForce(...); in a student's file the function has no such prefix.
+std::string asStudentsWrite(std::string text) {
+  constexpr std::string_view prefix = "submission::";
+  for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at))
+    text.erase(at, prefix.size());
+  return line(text);
+}
 
 const Verdict* verdictOf(const Criterion& criterion, const GradedExercise& exercise) {
   const auto found = exercise.verdicts.find(criterion.suite);
@@ -63,7 +72,7 @@ std::vector<Explanation::Mistake> mistakesOf(const Verdict& verdict, const Manif
 std::vector<std::string> detailsOf(const TestOutcome& test) {
   std::vector<std::string> details;
   for (std::size_t i = 0; i < std::min(test.details.size(), shownDetails); ++i)
-    details.push_back(line(test.details[i]));
+    details.push_back(asStudentsWrite(test.details[i]));
   if (test.details.size() > shownDetails)
     details.push_back(fmt::format("... and {} more", test.details.size() - shownDetails));
   return details;
@@ -76,7 +85,7 @@ std::vector<Explanation::FailedTest> failedTests(const Verdict& verdict, Feedbac
     if (test.passed) continue;
     Explanation::FailedTest shown{line(test.name), line(test.property.empty() ? test.name : test.property), "", {}};
     if (level == FeedbackLevel::Values) {
-      shown.call = line(test.call);
+      shown.call = asStudentsWrite(test.call);
       shown.details = detailsOf(test);
     }
     failed.push_back(std::move(shown));

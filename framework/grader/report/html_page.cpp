@@ -61,12 +61,12 @@ std::string paragraph(const char* kind, const std::string& text) {
 /// "springForce(...), component 2: got 1, expected 2 (difference ...)" taken apart; any other line as it is.
 std::string detail(const std::string& line) {
   const std::size_t got = line.rfind(": got "), expected = line.rfind(", expected ");
-  if (got == std::string::npos || expected == std::string::npos || expected < got)
-    return fmt::format("<p>{}</p>\n", escapeHtml(line));
+  if (got == std::string::npos || expected == std::string::npos || expected < got) return paragraph("other", line);
   const std::size_t value = got + 6, wanted = expected + 11;
   const std::size_t rest = std::min(line.find(" (", wanted), line.size());
   return fmt::format(
-      "<p>{}</p>\n<dl><dt>got</dt><dd class=\"got\">{}</dd><dt>expected</dt><dd><span class=\"wanted\">{}</span>"
+      "<p class=\"what\">{}</p>\n<dl><dt>got</dt><dd class=\"got\">{}</dd><dt>expected</dt><dd><span "
+      "class=\"wanted\">{}</span>"
       "<span class=\"rest\">{}</span></dd></dl>\n",
       escapeHtml(line.substr(0, got)), escapeHtml(line.substr(value, expected - value)),
       escapeHtml(line.substr(wanted, rest - wanted)), escapeHtml(line.substr(rest)));
@@ -74,13 +74,10 @@ std::string detail(const std::string& line) {
 
 std::string failedTest(const Explanation::FailedTest& test) {
   std::string html = "<div class=\"test\">\n" + paragraph("property", test.property);
-  if (!test.call.empty()) html += fmt::format("<pre>{}</pre>\n", escapeHtml(test.call));
-  if (!test.details.empty()) {
-    html += "<div class=\"values\">\n";
-    for (const std::string& line : test.details) html += detail(line);
-    html += "</div>\n";
-  }
-  return html + "</div>\n";
+  if (test.call.empty() && test.details.empty()) return html + "</div>\n";
+  html += "<div class=\"values\">\n" + paragraph("call", test.call);
+  for (const std::string& line : test.details) html += detail(line);
+  return html + "</div>\n</div>\n";
 }
 
 std::string mistake(const Explanation::Mistake& mistake) {
@@ -114,7 +111,7 @@ std::string buildBlock(const GradedExercise& exercise) {
   if (exercise.build.status == BuildOutcome::Status::Built || exercise.manifest.criteria.empty()) return "";
   const Explanation explanation = explain(exercise.manifest.criteria.front(), exercise);
   const bool ours = exercise.build.status == BuildOutcome::Status::GraderFault;
-  std::string html = "<div class=\"block why\">\n" + paragraph(ours ? "mistake" : "fault", explanation.instead);
+  std::string html = "<div class=\"block\">\n" + paragraph(ours ? "mistake" : "fault", explanation.instead);
   if (!exercise.build.diagnostics.empty())
     html += fmt::format("<pre>{}</pre>\n", escapeHtml(exercise.build.diagnostics));
   return html + "</div>\n";
@@ -143,12 +140,19 @@ std::string exerciseSection(const GradedExercise& exercise) {
   return html + curves(exercise) + "</section>\n";
 }
 
+/// "2026-03-14 09:26 UTC, " of "2026-03-14T09:26:53Z"; any other text as it is.
+std::string showDate(const std::string& date) {
+  if (date.empty()) return "";
+  if (date.size() != 20 || date[10] != 'T' || date[19] != 'Z') return date + ", ";
+  return date.substr(0, 10) + ' ' + date.substr(11, 5) + " UTC, ";
+}
+
 std::string pageHeader(const GradedSubmission& graded) {
   const double points = score(graded), most = maxScore(graded);
   std::string html = fmt::format(
       "<header class=\"total {}\"><div><p class=\"soft\">Muelle: graded submission</p><h1>{}</h1>"
-      "<p class=\"soft\">{} · {:.1f} s</p></div>{}{}</header>\n",
-      classOf(points, most), escapeHtml(graded.name), escapeHtml(graded.date), graded.seconds,
+      "<p class=\"soft\">{}graded in {:.1f} s</p></div>{}{}</header>\n",
+      classOf(points, most), escapeHtml(graded.name), escapeHtml(showDate(graded.date)), graded.seconds,
       pointsOf(showPoints(points), most, " of "), bar(points, most));
   if (hasGraderFault(graded))
     html +=

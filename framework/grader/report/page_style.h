@@ -50,7 +50,7 @@ a:hover { color: var(--accent); text-decoration: underline; }
   align-items: baseline; }
 .exercise > header .points { font-size: 1.15rem; }
 .exercise > header .bar { grid-column: 1 / -1; margin-top: .6rem; }
-.block { border-top: 1px solid var(--line); padding: 1rem 1.25rem; }
+.block { border-top: 1px solid var(--line); padding: 1rem 1.25rem; display: grid; gap: .75rem; }
 
 .criterion { border-top: 1px solid var(--line); padding: .7rem 1.25rem; display: grid;
   grid-template-columns: 1.6rem 1fr auto; gap: .1rem .75rem; align-items: baseline; }
@@ -74,8 +74,10 @@ pre { margin: 0; font: .8125rem/1.55 ui-monospace, SFMono-Regular, Menlo, Consol
   padding: .6rem .8rem; overflow-wrap: anywhere; }
 .values { background: var(--code); border: 1px solid var(--line); border-radius: 6px; padding: .6rem .8rem;
   font: .8125rem/1.55 ui-monospace, SFMono-Regular, Menlo, Consolas, "DejaVu Sans Mono", monospace; }
-.values p + p, .values dl + p, .values p + dl { margin-top: .25rem; }
-.values dl { margin: .25rem 0 0; display: grid; grid-template-columns: max-content 1fr; gap: 0 1rem; }
+.values .call { font-weight: 600; }
+.values .what { color: var(--soft); }
+.values > * + p { margin-top: .35rem; }
+.values dl { margin: 0; display: grid; grid-template-columns: max-content 1fr; gap: 0 1rem; }
 .values dt { color: var(--soft); } .values dd { margin: 0; white-space: pre-wrap; }
 .values .got { color: var(--bad); font-weight: 600; } .values .wanted { color: var(--good); font-weight: 600; }
 .values .rest { color: var(--soft); }
