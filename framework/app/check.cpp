@@ -1,10 +1,166 @@
 #include "app/commands.h"
+#include "app/terminal.h"
+#include "harness/check/exercise_check.h"
+#include "harness/course/manifest.h"
+#include "harness/text/printable.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace muelle::app {
 
+namespace fs = std::filesystem;
+
+namespace {
+
+struct CheckOptions {
+  std::string topic;
+  std::string file;
+  bool noPlot = false;
+  bool all = false;
+};
+
+/// As the student would type it.
+std::string shortPath(const fs::path& path) {
+  std::error_code error;
+  const fs::path relative = fs::relative(path, error);
+  const bool isBelow = !error && !relative.empty() && *relative.begin() != "..";
+  return (isBelow ? relative : path).string();
+}
+
+/// What the student's own code printed, between two lines that say so.
+void printOutput(const std::string& output) {
+  if (output.empty()) return;
+  fmt::print("{}\n{}\n", dim("  your code printed:"), indented(printable(cutText(output, 20, 2000)), "  | "));
+}
+
+/// "./muelle check" of one exercise.
+class Check {
+ public:
+  Check(const Manifest& exercise, const CheckOptions& options) : exercise_(exercise), options_(options) {
+    for (const std::string& name : exercise.files) {
+      sources_.push_back(options.file.empty() ? folders_.exercises / exercise.topic / name : fs::path(options.file));
+    }
+  }
+
+  /// Prints the verdict, then draws; true when everything passes.
+  bool run() {
+    const StudentProgram program = buildStudentProgram(exercise_, sources_, folders_);
+    if (program.executable.empty()) {
+      fmt::print("{} {}: does not compile\n\n{}\n", red("✗"), bold(exercise_.topic), program.diagnostics);
+      printNext();
+      return false;
+    }
+    const TestReport report = runPublicTests(program);
+    printVerdict(report, program);
+    // The verdict is what the student waits for; the curves may follow.
+    std::fflush(stdout);
+    if (!options_.noPlot) printCurves(drawCurves(program, folders_.out / exercise_.topic));
+    if (!report.allPassed()) printNext();
+    return report.allPassed();
+  }
+
+ private:
+  void printVerdict(const TestReport& report, const StudentProgram& program) const {
+    if (report.allPassed()) {
+      fmt::print("{} {}: all {} public tests pass\n", green("✓"), bold(exercise_.topic), report.total);
+    } else {
+      fmt::print("{} {}: {} of {} public tests pass\n", red("✗"), bold(exercise_.topic), report.passed, report.total);
+    }
+    if (!program.diagnostics.empty()) fmt::print("\n{}", program.diagnostics);
+    if (!report.allPassed()) printFirst(report);
+    printOutput(report.output);
+  }
+
+  /// The first thing to mend, and the hint of its criterion.
+  void printFirst(const TestReport& report) const {
+    if (report.failures.empty()) {
+      fmt::print("\n  {}\n", printable(report.crash.empty() ? "no test ran" : report.crash));
+      return;
+    }
+    const FailedTest& first = report.failures.front();
+    const auto criterion = std::ranges::find(exercise_.criteria, first.suite, &Criterion::suite);
+    const bool isKnown = criterion != exercise_.criteria.end();
+    fmt::print("\n{} {}\n{}", bold("mend first:"), isKnown ? criterion->name : first.suite, showFailure(first));
+    if (isKnown) fmt::print("  {} {}\n", bold("hint:"), criterion->hint);
+    fmt::print("\n");
+  }
+
+  static void printCurves(const CurvesReport& curves) {
+    for (const fs::path& figure : curves.figures) fmt::print("  curve: {}\n", shortPath(figure));
+    if (!curves.trouble.empty()) fmt::print("  no curves: {}\n", curves.trouble);
+  }
+
+  void printNext() const {
+    const std::string file = options_.file.empty() ? "" : fmt::format(" --file {}", options_.file);
+    fmt::print("{} edit {}, then type  ./muelle check {}{}\n", bold("next:"), shortPath(sources_.front()),
+               exercise_.topic, file);
+  }
+
+  const Manifest& exercise_;
+  const CheckOptions& options_;
+  CheckFolders folders_ = checkFolders();
+  std::vector<fs::path> sources_;
+};
+
+const Manifest& exerciseOf(const std::vector<Manifest>& course, const CheckOptions& options) {
+  if (!options.topic.empty()) return findExercise(course, options.topic);
+  return findExercise(course, fs::path(options.file).stem().string());
+}
+
+int checkOne(const std::vector<Manifest>& course, const CheckOptions& options) {
+  const Manifest& exercise = exerciseOf(course, options);
+  if (!options.file.empty() && exercise.files.size() > 1) {
+    throw std::invalid_argument(
+        fmt::format("{} has {} files; --file takes the place of one only", exercise.topic, exercise.files.size()));
+  }
+  if (!Check(exercise, options).run()) return 1;
+  const auto position = &exercise - course.data();
+  const bool isLast = static_cast<std::size_t>(position) + 1 == course.size();
+  if (options.file.empty() && !isLast) {
+    fmt::print("{} ./muelle check {}\n", bold("next:"), course[static_cast<std::size_t>(position) + 1].topic);
+  }
+  return 0;
+}
+
+/// In course order, up to the first exercise with something to mend (or through all of them).
+int checkCourse(const std::vector<Manifest>& course, const CheckOptions& options) {
+  if (course.empty()) throw std::runtime_error("there are no exercises");
+  bool allPass = true;
+  for (const Manifest& exercise : course) {
+    allPass = Check(exercise, options).run() && allPass;
+    if (!allPass && !options.all) break;
+  }
+  if (allPass)
+    fmt::print("\nEvery public test of the course passes. Hidden tests ask for more: read the contracts again.\n");
+  return allPass ? 0 : 1;
+}
+
+int check(const CheckOptions& options) {
+  const std::vector<Manifest> course = readCourse(checkFolders().exercises);
+  const bool isOne = !options.topic.empty() || !options.file.empty();
+  return isOne ? checkOne(course, options) : checkCourse(course, options);
+}
+
+}  // namespace
+
 void addCheck(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("check", "Check your file");
-  command->callback([&status] { status = 2; });
+  const auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = app.add_subcommand("check", "Compile your file, run the public tests, draw the curves");
+  auto* topic = command->add_option("EXERCISE", options->topic,
+                                    "Which exercise; without it, the first in course order with something to mend");
+  command->add_option("--file", options->file, "Check this file instead of exercises/EXERCISE/EXERCISE.cpp");
+  command->add_flag("--no-plot", options->noPlot, "Draw no curves");
+  command->add_flag("--all", options->all, "Go on to the other exercises when one fails")->excludes(topic);
+  command->footer(
+      "Exit code: 0 when all public tests pass, 1 while something fails.\nExample: ./muelle check spring_1d");
+  command->callback([options, &status] { status = check(*options); });
 }
 
 }  // namespace muelle::app

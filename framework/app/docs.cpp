@@ -2,8 +2,8 @@
 #include "app/process.h"
 #include "harness/build_paths.h"
 
-#include <filesystem>
 #include <fmt/format.h>
+#include <filesystem>
 #include <stdexcept>
 
 namespace muelle::app {

@@ -2,8 +2,8 @@
 #include "harness/build_paths.h"
 #include "harness/course/manifest.h"
 
-#include <filesystem>
 #include <fmt/format.h>
+#include <filesystem>
 
 namespace muelle::app {
 

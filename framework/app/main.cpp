@@ -5,9 +5,9 @@
 #include "harness/text/nearest.h"
 #include "harness/text/printable.h"
 
+#include <fmt/format.h>
 #include <cstdio>
 #include <exception>
-#include <fmt/format.h>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -33,8 +33,9 @@ void refuseUnknownCommand(const CLI::App& app, const std::string& word) {
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   if (word.starts_with("-") || std::find(names.begin(), names.end(), word) != names.end()) return;
   const std::string guess = muelle::didYouMean(word, names);
-  throw std::invalid_argument(fmt::format("no command '{}'{}", muelle::printable(word),
-                                          guess.empty() ? fmt::format("; there are {}", fmt::join(names, ", ")) : guess));
+  throw std::invalid_argument(
+      fmt::format("no command '{}'{}", muelle::printable(word),
+                  guess.empty() ? fmt::format("; there are {}", fmt::join(names, ", ")) : guess));
 }
 
 int run(int argc, char** argv) {

@@ -6,7 +6,9 @@
 namespace muelle::app {
 
 void printNextSteps() {
-  const auto step = [](const char* command, const char* what) { fmt::print("  {} {}\n", bold(fmt::format("{:<34}", command)), what); };
+  const auto step = [](const char* command, const char* what) {
+    fmt::print("  {} {}\n", bold(fmt::format("{:<34}", command)), what);
+  };
   fmt::print("Muelle: a course on mass-spring simulation that runs. What next?\n\n");
   step("./muelle check", "the first exercise that is not right yet, and what to mend");
   step("./muelle check spring_1d", "one exercise");

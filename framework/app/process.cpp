@@ -1,12 +1,12 @@
 #include "app/process.h"
 
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fmt/format.h>
-#include <spawn.h>
 #include <stdexcept>
-#include <sys/wait.h>
 
 extern char** environ;
 

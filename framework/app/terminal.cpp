@@ -1,9 +1,9 @@
 #include "app/terminal.h"
 
-#include <cstdlib>
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
+#include <cstdlib>
 
 namespace muelle::app {
 
@@ -19,7 +19,8 @@ bool coloursWanted() {
   static const bool wanted = [] {
     const char* noColour = std::getenv("NO_COLOR");
     const char* term = std::getenv("TERM");
-    const bool refused = (noColour != nullptr && *noColour != '\0') || (term != nullptr && std::string_view(term) == "dumb");
+    const bool refused =
+        (noColour != nullptr && *noColour != '\0') || (term != nullptr && std::string_view(term) == "dumb");
     return !refused && isatty(STDOUT_FILENO) == 1;
   }();
   return wanted;

@@ -17,8 +17,8 @@ struct TestOptions {
 
 /// The tests of the framework and of the grader; grading a submission (label `grade`) is another command.
 int test(const TestOptions& options) {
-  std::vector<std::string> command{"ctest",  "--test-dir",       build_paths::binary, "--label-exclude", "^grade$",
-                                   "--parallel", "2", "--output-on-failure", "--no-tests=error"};
+  std::vector<std::string> command{"ctest",      "--test-dir", build_paths::binary,   "--label-exclude", "^grade$",
+                                   "--parallel", "2",          "--output-on-failure", "--no-tests=error"};
   if (!options.filter.empty()) command.insert(command.end(), {"--tests-regex", options.filter});
   if (options.listOnly) command.push_back("--show-only");
   return runInForeground(command) == 0 ? 0 : 1;

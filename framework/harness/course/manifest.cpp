@@ -2,13 +2,13 @@
 
 #include "harness/text/nearest.h"
 
+#include <fmt/format.h>
+#include <toml++/toml.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <functional>
 #include <set>
 #include <stdexcept>
-#include <toml++/toml.h>
 #include <utility>
 
 namespace muelle {
@@ -183,8 +183,7 @@ FeedbackLevel readFeedback(const ManifestReader& reader, const toml::table& tabl
   if (value == "criterion") return FeedbackLevel::Criterion;
   if (value == "property") return FeedbackLevel::Property;
   if (value == "values") return FeedbackLevel::Values;
-  reader.fail(*table.get("feedback"), "feedback",
-              fmt::format("'{}' is not one of criterion, property, values", value));
+  reader.fail(*table.get("feedback"), "feedback", fmt::format("'{}' is not one of criterion, property, values", value));
 }
 
 void readCriteria(const ManifestReader& reader, const toml::table& table, Manifest& manifest) {
@@ -193,7 +192,8 @@ void readCriteria(const ManifestReader& reader, const toml::table& table, Manife
   for (const toml::table* one : reader.tables(table, "criterion")) {
     const Criterion criterion = readCriterion(reader, *one);
     if (!suites.insert(criterion.suite).second) {
-      reader.fail(*one->get("suite"), "suite", fmt::format("'{}' is already that of another criterion", criterion.suite));
+      reader.fail(*one->get("suite"), "suite",
+                  fmt::format("'{}' is already that of another criterion", criterion.suite));
     }
     sum += criterion.points;
     manifest.criteria.push_back(criterion);
@@ -210,7 +210,8 @@ void readMisconceptions(const ManifestReader& reader, const toml::table& table, 
   for (const toml::table* one : reader.tables(table, "misconception")) {
     const Misconception misconception = readMisconception(reader, *one);
     if (!ids.insert(misconception.id).second) {
-      reader.fail(*one->get("id"), "id", fmt::format("'{}' is already that of another misconception", misconception.id));
+      reader.fail(*one->get("id"), "id",
+                  fmt::format("'{}' is already that of another misconception", misconception.id));
     }
     manifest.misconceptions.push_back(misconception);
   }
@@ -276,8 +277,8 @@ const Manifest& findExercise(const std::vector<Manifest>& course, const std::str
   if (found != course.end()) return *found;
   const std::vector<std::string> topics = topicsOf(course);
   const std::string guess = didYouMean(topic, topics);
-  throw std::runtime_error(fmt::format("no exercise '{}'{}", topic,
-                                       guess.empty() ? "; there are " + ManifestReader::list(topics) : guess));
+  throw std::runtime_error(
+      fmt::format("no exercise '{}'{}", topic, guess.empty() ? "; there are " + ManifestReader::list(topics) : guess));
 }
 
 }  // namespace muelle

@@ -18,6 +18,11 @@ CallRecord*& CallRecord::current() {
   return record;
 }
 
+long& CallRecord::count() {
+  static long calls = 0;
+  return calls;
+}
+
 const std::string& CallRecord::lastCall() { return lastCallText(); }
 void CallRecord::setLastCall(std::string call) { lastCallText() = std::move(call); }
 

@@ -16,6 +16,7 @@ class CallRecord {
   template <class... Args>
   CallRecord(const char* function, const Args&... args) : function_(function), outer_(current()) {
     current() = this;
+    ++count();
     if (printsArguments()) setLastCall(printCall(function, args...));
   }
   CallRecord(const CallRecord&) = delete;
@@ -26,6 +27,8 @@ class CallRecord {
 
   /// The innermost call in progress, or null.
   static CallRecord*& current();
+  /// Number of calls begun so far: tells a call that lasts from many short ones.
+  static long& count();
   /// The text of the latest call made while arguments were printed, or "".
   static const std::string& lastCall();
   static void setLastCall(std::string call);

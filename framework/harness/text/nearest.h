@@ -7,7 +7,8 @@ namespace muelle {
 /// Number of single-character edits (insert, delete, replace, swap of neighbours) that turn one word into the other.
 int editDistance(const std::string& a, const std::string& b);
 
-/// The name closest to `word`, or "" when none is close enough to be what was meant (a third of its length, at least 1).
+/// The name closest to `word`, or "" when none is close enough to be what was meant (a third of its length, at least
+/// 1).
 std::string nearest(const std::string& word, const std::vector<std::string>& names);
 
 /// "; did you mean 'points'?" or "" when nothing is near.

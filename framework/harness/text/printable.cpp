@@ -1,7 +1,7 @@
 #include "harness/text/printable.h"
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <algorithm>
 
 namespace muelle {
 

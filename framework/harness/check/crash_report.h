@@ -1,0 +1,14 @@
+#pragma once
+#include <string_view>
+
+namespace muelle {
+
+/// From now on a crash, an endless recursion, a call that lasts longer than 2 s, an exception that nobody catches and
+/// an early exit of this process write one line, "crash<TAB>sentence", to the report and end the process. The sentence
+/// names the student's function that ran.
+void watchForCrashes();
+
+/// Writes to descriptor 3, or to standard error when the process was started without one.
+void writeReport(std::string_view text);
+
+}  // namespace muelle
