@@ -91,7 +91,7 @@ class Builder {
   std::vector<fs::path> inputs() const {
     std::vector<fs::path> files = sources_;
     files.push_back(contract_);
-    files.push_back(fs::path(build_paths::prelude) / "harness" / "exercise.h.gch");
+    files.push_back(fs::path(build_paths::prelude) / "prelude.h.gch");
     files.push_back(parts_);
     for (const std::string& word : words(readFile(parts_))) {
       if (!word.starts_with("-")) files.emplace_back(word);
@@ -106,7 +106,7 @@ class Builder {
     const std::string framework = (fs::path(build_paths::source) / "framework").string();
     for (const std::string& word :
          {std::string("-I"), std::string(build_paths::prelude), std::string("-include"),
-          std::string("harness/exercise.h"), std::string("-I"), framework, std::string("-isystem"),
+          std::string("prelude.h"), std::string("-I"), framework, std::string("-isystem"),
           std::string(build_paths::eigen), std::string("-I"), contract_.parent_path().string(), std::string("-c"),
           source.string(), std::string("-o"), object}) {
       command.push_back(word);
