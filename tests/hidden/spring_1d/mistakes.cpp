@@ -22,11 +22,14 @@ double missingRestLength(double xa, double xb, double k, double) {
 
 double notNormalised(double xa, double xb, double k, double L0) { return force(k, std::abs(xa - xb) - L0, xa - xb); }
 
-// Without the quotient (xa - xb) / L nothing is divided by 0, so these two have no case for L = 0.
-
 double missingDirection(double xa, double xb, double k, double L0) { return force(k, std::abs(xa - xb) - L0, 1.0); }
 
 double signedLength(double xa, double xb, double k, double L0) { return force(k, xa - xb - L0, 1.0); }
+
+/// A direction is made up where there is none.
+double forceAtZeroLength(double xa, double xb, double k, double L0) {
+  return force(k, std::abs(xa - xb) - L0, xa >= xb ? 1.0 : -1.0);
+}
 
 double missingGuard(double xa, double xb, double k, double L0) {
   return xa == xb ? std::numeric_limits<double>::quiet_NaN() : oracle::springForceOnA(xa, xb, k, L0);
@@ -69,6 +72,23 @@ SPRING_MISTAKE(relative_deformation, relativeDeformation);
 SPRING_MISTAKE(always_attracts, alwaysAttracts);
 SPRING_MISTAKE(missing_stiffness, missingStiffness);
 SPRING_MISTAKE(halved, halved);
+SPRING_MISTAKE(force_at_zero_length, forceAtZeroLength);
+
+// Without the quotient (xa - xb) / L nothing is divided by 0; an author may treat L = 0 all the same.
+namespace guarded {
+
+double missingDirection(double xa, double xb, double k, double L0) {
+  return xa == xb ? 0.0 : ::missingDirection(xa, xb, k, L0);
+}
+
+double signedLength(double xa, double xb, double k, double L0) {
+  return xa == xb ? 0.0 : ::signedLength(xa, xb, k, L0);
+}
+
+SPRING_MISTAKE(missing_direction, missingDirection);
+SPRING_MISTAKE(signed_length, signedLength);
+
+}  // namespace guarded
 
 namespace {
 
@@ -159,3 +179,23 @@ MUELLE_MISTAKE(accelerationBetween, gravity_twice,
                [](double x, double m, const Attachment& lower, const Attachment& upper, double g) {
                  return (forceOf(x, lower) + forceOf(x, upper)) / m - 2 * g;
                });
+
+// A line is copied and not changed everywhere.
+MUELLE_MISTAKE(accelerationBetween, same_spring_twice,
+               [](double x, double m, const Attachment& lower, const Attachment&, double g) {
+                 return 2 * forceOf(x, lower) / m - g;
+               });
+MUELLE_MISTAKE(accelerationBetween, same_constants_twice,
+               [](double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+                 return (forceOf(x, lower) + forceOf(x, {upper.x, lower.k, lower.L0})) / m - g;
+               });
+namespace of_upper {
+MUELLE_MISTAKE(accelerationBetween, same_spring_twice,
+               [](double x, double m, const Attachment&, const Attachment& upper, double g) {
+                 return 2 * forceOf(x, upper) / m - g;
+               });
+MUELLE_MISTAKE(accelerationBetween, same_constants_twice,
+               [](double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+                 return (forceOf(x, {lower.x, upper.k, upper.L0}) + forceOf(x, upper)) / m - g;
+               });
+}  // namespace of_upper
