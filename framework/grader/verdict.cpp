@@ -22,11 +22,6 @@ double earned(const Criterion& criterion, const Verdict& verdict) {
 
 }  // namespace
 
-bool Verdict::passed() const {
-  return fault.empty() && graderFault.empty() && !tests.empty() &&
-         std::all_of(tests.begin(), tests.end(), [](const TestOutcome& test) { return test.passed; });
-}
-
 std::optional<double> score(const Criterion& criterion, const GradedExercise& exercise) {
   if (exercise.build.status == BuildOutcome::Status::GraderFault) return std::nullopt;
   if (exercise.build.status != BuildOutcome::Status::Built) return 0.0;

@@ -1,13 +1,14 @@
 #include "grader/intake/folder.h"
 
-#include "grader/intake/file_descriptor.h"
 #include "grader/intake/read_file.h"
+#include "grader/process/descriptor.h"
 #include "grader/text/printable.h"
 
 #include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <unistd.h>
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -45,21 +46,23 @@ class Walk {
 
  private:
   /// Opens a folder from the root, component by component, so that no link on the way is followed.
-  FileDescriptor open(const RelativePath& folder) const {
-    FileDescriptor current(::openat(root_, ".", folderFlags));
+  Descriptor open(const RelativePath& folder) const {
+    Descriptor current(::openat(root_, ".", folderFlags));
     for (const std::string& name : folder) {
-      if (!current.isOpen()) break;
-      current = FileDescriptor(::openat(current.get(), name.c_str(), folderFlags | O_NOFOLLOW));
+      if (!current) break;
+      current = Descriptor(::openat(current.get(), name.c_str(), folderFlags | O_NOFOLLOW));
     }
     return current;
   }
 
-  std::vector<std::string> names(const FileDescriptor& folder) {
+  std::vector<std::string> names(const Descriptor& folder) {
     std::vector<std::string> found;
-    FileDescriptor copy(::openat(folder.get(), ".", folderFlags));
-    DIR* stream = copy.isOpen() ? ::fdopendir(copy.get()) : nullptr;
-    if (stream == nullptr) return found;
-    copy.release();
+    const int copy = ::openat(folder.get(), ".", folderFlags);  // the stream owns and closes it
+    DIR* stream = copy >= 0 ? ::fdopendir(copy) : nullptr;
+    if (stream == nullptr) {
+      if (copy >= 0) ::close(copy);
+      return found;
+    }
     while (const dirent* entry = ::readdir(stream)) {
       const std::string name = entry->d_name;
       if (name == "." || name == "..") continue;
@@ -75,8 +78,8 @@ class Walk {
   }
 
   void visit(const RelativePath& path) {
-    const FileDescriptor folder = open(path);
-    if (!folder.isOpen()) return collector_.note(fmt::format("ignored {}/: {}", show(path), std::strerror(errno)));
+    const Descriptor folder = open(path);
+    if (!folder) return collector_.note(fmt::format("ignored {}/: {}", show(path), std::strerror(errno)));
     const std::vector<std::string> found = names(folder);
     for (const std::string& name : found) {
       RelativePath entry = path;
@@ -88,7 +91,7 @@ class Walk {
                                   collector_.limits().entries));
   }
 
-  void offer(const FileDescriptor& folder, const RelativePath& path) {
+  void offer(const Descriptor& folder, const RelativePath& path) {
     struct stat status {};
     if (::fstatat(folder.get(), path.back().c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0)
       return collector_.notAFile(path, fmt::format("cannot be read: {}", std::strerror(errno)));
@@ -103,12 +106,12 @@ class Walk {
     pending_.push_back(path);
   }
 
-  Content read(const FileDescriptor& folder, const std::string& name) const {
+  Content read(const Descriptor& folder, const std::string& name) const {
     // The name was a regular file a moment ago; O_NONBLOCK and the second look are for one that changed since.
-    const FileDescriptor file(
+    const Descriptor file(
         ::openat(folder.get(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     struct stat status {};
-    if (!file.isOpen() || ::fstat(file.get(), &status) != 0)
+    if (!file || ::fstat(file.get(), &status) != 0)
       return {"", fmt::format("cannot be read: {}", std::strerror(errno))};
     if (!S_ISREG(status.st_mode)) return {"", kindOf(status.st_mode)};
     if (status.st_nlink > 1) return {"", "is a hard link (the file has another name elsewhere): hand in a copy"};
@@ -128,8 +131,8 @@ class Walk {
 }  // namespace
 
 void readFolder(const std::filesystem::path& folder, Collector& collector) {
-  const FileDescriptor root(::open(folder.c_str(), folderFlags));
-  if (!root.isOpen())
+  const Descriptor root(::open(folder.c_str(), folderFlags));
+  if (!root)
     throw std::runtime_error(fmt::format("cannot read the folder {}: {}; check its permissions",
                                          printableLine(folder.string()), std::strerror(errno)));
   Walk(root.get(), collector).run();

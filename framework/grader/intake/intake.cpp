@@ -2,9 +2,9 @@
 
 #include "grader/intake/archive.h"
 #include "grader/intake/collector.h"
-#include "grader/intake/file_descriptor.h"
 #include "grader/intake/folder.h"
 #include "grader/intake/read_file.h"
+#include "grader/process/descriptor.h"
 #include "grader/text/printable.h"
 
 #include <fcntl.h>
@@ -28,7 +28,7 @@ std::string nameOf(const std::filesystem::path& path) {
   return cut(printableLine(whole.filename().string()), nameBytes);
 }
 
-std::string readArchiveFile(const FileDescriptor& file, const std::string& name, std::size_t limit) {
+std::string readArchiveFile(const Descriptor& file, const std::string& name, std::size_t limit) {
   std::optional<std::string> bytes = readAll(file.get(), limit);
   if (!bytes)
     throw std::runtime_error(
@@ -42,9 +42,9 @@ Submission takeSubmission(const std::filesystem::path& path, const std::vector<M
                           const IntakeLimits& limits) {
   const std::string name = nameOf(path);
   Collector collector(course, limits);
-  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   struct stat status {};
-  if (!file.isOpen() || ::fstat(file.get(), &status) != 0)
+  if (!file || ::fstat(file.get(), &status) != 0)
     throw std::runtime_error(fmt::format("cannot read the submission {}: {}; give a folder or an archive",
                                          printableLine(path.string()), std::strerror(errno)));
   if (S_ISDIR(status.st_mode)) {
@@ -54,7 +54,9 @@ Submission takeSubmission(const std::filesystem::path& path, const std::vector<M
   } else {
     throw std::runtime_error(fmt::format("{} is neither a folder nor an archive", printableLine(path.string())));
   }
-  return collector.finish(name);
+  Submission submission = collector.finish(name);
+  submission.path = std::filesystem::absolute(path);
+  return submission;
 }
 
 }  // namespace muelle::grader

@@ -18,6 +18,7 @@ struct IntakeLimits {
 
 /// The files of one submission that count, as text in memory: nothing of it is written to disk here.
 struct Submission {
+  std::filesystem::path path;  ///< absolute
   std::string name;
   /// topic -> file name ("spring_1d.cpp") -> content
   std::map<std::string, std::map<std::string, std::string>> sources;

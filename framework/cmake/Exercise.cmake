@@ -1,0 +1,135 @@
+# Everything that is built for an exercise. Exercises are found by their folders, so that a new one needs no edit here.
+
+# The precompiled header of the students' files: Eigen/Core and the harness's exercise.h, with the students' own flags.
+function(muelle_prelude)
+  set(header ${CMAKE_SOURCE_DIR}/framework/harness/exercise.h)
+  set(product ${CMAKE_BINARY_DIR}/prelude/prelude.h.gch)
+  set(wrapper ${CMAKE_BINARY_DIR}/prelude/prelude.h)  # a name that no source includes: a .gch is used once only
+  file(CONFIGURE OUTPUT ${wrapper} CONTENT "#include \"harness/exercise.h\"\n")
+  add_custom_command(
+    OUTPUT ${product}
+    COMMAND ${CMAKE_CXX_COMPILER} ${MUELLE_STUDENT_FLAGS} -I${CMAKE_SOURCE_DIR}/framework
+            -isystem ${MUELLE_EIGEN_INCLUDE} -x c++-header ${wrapper} -o ${product}
+    DEPENDS ${header} ${CMAKE_SOURCE_DIR}/framework/harness/types.h
+            ${CMAKE_SOURCE_DIR}/framework/harness/eigen_assertion.h
+    COMMENT "Precompiling Eigen and the harness for students' files"
+    VERBATIM)
+  add_custom_target(muelle_prelude ALL DEPENDS ${product})
+endfunction()
+
+# A source compiled with one meaning of MUELLE_FUNCTIONS.
+function(muelle_role_library target topic role)
+  add_library(${target} OBJECT ${ARGN})
+  target_link_libraries(${target} PRIVATE muelle_flags muelle_harness muelle_testing)
+  target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/exercises/${topic})
+  target_compile_definitions(${target} PRIVATE MUELLE_FUNCTIONS_HEADER="${role}")
+endfunction()
+
+# For `muelle check`: the public tests and the demo, to be linked with the student's object file. The response file
+# lists the objects and libraries for the compiler driver.
+function(muelle_check_parts topic)
+  if(NOT TARGET muelle_public_main)
+    return()
+  endif()
+  set(folder ${CMAKE_SOURCE_DIR}/exercises/${topic})
+  muelle_role_library(public_${topic} ${topic} harness/testing/direct_functions.h
+                      ${folder}/public_test.cpp ${folder}/demo.cpp)
+  file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/check/${topic}.rsp CONTENT
+"$<JOIN:$<TARGET_OBJECTS:public_${topic}>,\n>
+$<JOIN:$<TARGET_OBJECTS:muelle_public_main>,\n>
+$<TARGET_FILE:muelle_testing>
+$<TARGET_FILE:muelle_harness>
+$<TARGET_FILE:GTest::gtest>
+$<TARGET_FILE:fmt::fmt>
+-pthread
+")
+endfunction()
+
+# For the grader: the worker's trusted half, and the hidden tests with the demo compiled for the submission (through
+# the worker) and for the oracle.
+function(muelle_grading_parts topic)
+  set(folder ${CMAKE_SOURCE_DIR}/exercises/${topic})
+  set(hidden ${CMAKE_SOURCE_DIR}/tests/hidden/${topic})
+
+  add_library(glue_${topic} STATIC ${CMAKE_SOURCE_DIR}/framework/grader/worker/glue.cpp
+                                   ${CMAKE_SOURCE_DIR}/framework/grader/wire/codec.cpp)
+  target_link_libraries(glue_${topic} PRIVATE muelle_flags Eigen3::Eigen)
+  target_include_directories(glue_${topic} PRIVATE ${folder})
+  target_compile_definitions(glue_${topic} PRIVATE MUELLE_CONTRACT="${topic}.h"
+                             MUELLE_FUNCTIONS_HEADER="grader/worker/dispatch_functions.h")
+  set_target_properties(glue_${topic} PROPERTIES ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+
+  muelle_role_library(reference_demo_${topic} ${topic} grader/remote/oracle_functions.h ${folder}/demo.cpp)
+  target_compile_definitions(reference_demo_${topic} PRIVATE MUELLE_DEMO_NAME=muelleReferenceDemo)
+
+  add_executable(hidden_${topic} ${hidden}/${topic}_test.cpp ${hidden}/oracle.cpp ${hidden}/mistakes.cpp
+                                 ${folder}/demo.cpp)
+  target_link_libraries(hidden_${topic} PRIVATE reference_demo_${topic} muelle_hidden_main)
+  target_include_directories(hidden_${topic} PRIVATE ${folder})
+  target_compile_definitions(hidden_${topic} PRIVATE
+                             MUELLE_FUNCTIONS_HEADER="grader/remote/remote_functions.h")
+  set_target_properties(hidden_${topic} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/hidden)
+  add_dependencies(muelle_grading hidden_${topic} glue_${topic})
+endfunction()
+
+# Names the files that an exercise still lacks; an unfinished exercise is left out of the build, not in its way.
+function(muelle_missing_files topic result)
+  set(needed exercises/${topic}/${topic}.h exercises/${topic}/${topic}.cpp exercises/${topic}/public_test.cpp
+             exercises/${topic}/demo.cpp)
+  if(TARGET muelle_grader)
+    list(APPEND needed tests/hidden/${topic}/${topic}_test.cpp tests/hidden/${topic}/oracle.cpp
+                       tests/hidden/${topic}/mistakes.cpp)
+  endif()
+  set(missing "")
+  foreach(file ${needed})
+    if(NOT EXISTS ${CMAKE_SOURCE_DIR}/${file})
+      list(APPEND missing ${file})
+    endif()
+  endforeach()
+  set(${result} "${missing}" PARENT_SCOPE)
+endfunction()
+
+function(muelle_exercise topic)
+  muelle_missing_files(${topic} missing)
+  if(missing)
+    list(JOIN missing ", " missing)
+    message(WARNING "exercise ${topic} is left out: it lacks ${missing}")
+    return()
+  endif()
+  muelle_check_parts(${topic})
+  if(TARGET public_${topic})
+    add_dependencies(muelle_checking public_${topic} muelle_public_main muelle_testing)
+  endif()
+  if(TARGET muelle_grader)
+    muelle_grading_parts(${topic})
+  endif()
+endfunction()
+
+# CTest learns the criteria from the manifests, when they are read: no list of them is kept in CMake.
+function(muelle_grade_tests)
+  set(file ${CMAKE_BINARY_DIR}/grade_tests.cmake)
+  file(GLOB manifests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/exercises/*/exercise.toml)
+  add_custom_command(OUTPUT ${file} COMMAND muelle-grade-step ctest-file ${file}
+                     DEPENDS muelle-grade-step ${manifests} COMMENT "Listing the criteria for CTest" VERBATIM)
+  add_custom_target(muelle_grade_tests ALL DEPENDS ${file})
+  add_dependencies(muelle_grading muelle_grade_tests muelle-worker muelle-grade-step muelle_prelude)
+  if(NOT EXISTS ${file})
+    file(WRITE ${file} "")  # ctest reads it even before the first build
+  endif()
+  set_property(DIRECTORY ${CMAKE_SOURCE_DIR} APPEND PROPERTY TEST_INCLUDE_FILES ${file})
+endfunction()
+
+function(muelle_all_exercises)
+  muelle_prelude()
+  add_custom_target(muelle_checking DEPENDS muelle_prelude)
+  add_custom_target(muelle_grading ALL)
+  file(GLOB manifests CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/exercises
+       ${CMAKE_SOURCE_DIR}/exercises/*/exercise.toml)
+  foreach(manifest ${manifests})
+    get_filename_component(topic ${manifest} DIRECTORY)
+    muelle_exercise(${topic})
+  endforeach()
+  if(TARGET muelle_grader)
+    muelle_grade_tests()
+  endif()
+endfunction()

@@ -1,0 +1,103 @@
+#pragma once
+#include "grader/remote/numbers.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace muelle::grader {
+
+/// The calls of one function in this process, and the usual mistakes that its answers are held against.
+class CallHistoryBase {
+ public:
+  virtual ~CallHistoryBase() = default;
+
+  /// The mistake that explains every answer, or "".
+  ///
+  /// A hypothesis explains the submission when it gives the submission's numbers on all calls, right and wrong ones, and
+  /// at least `fewestWrong` of them are wrong. Two hypotheses that explain everything and differ from each other nowhere
+  /// are one mistake under two names: the first registered is taken.
+  virtual std::string diagnosis() const = 0;
+
+  static constexpr int fewestWrong = 3;
+  static constexpr std::size_t mostCalls = 4096;
+
+  /// All histories of this process, by function.
+  static std::map<std::string, std::unique_ptr<CallHistoryBase>>& all();
+};
+
+template <class Signature>
+class CallHistory;
+
+template <class Result, class... Args>
+class CallHistory<Result(Args...)> : public CallHistoryBase {
+ public:
+  using Given = std::shared_ptr<const std::tuple<std::decay_t<Args>...>>;
+  using Hypothesis = std::function<Result(Args...)>;
+
+  static CallHistory& of(const std::string& function) {
+    auto& slot = all()[function];
+    if (!slot) slot = std::make_unique<CallHistory>();
+    return static_cast<CallHistory&>(*slot);
+  }
+
+  /// \param outcome the result, if any, then all arguments (those that the call may have changed count)
+  template <class... Outcome>
+  void add(const Given& given, const Outcome&... outcome) {
+    if (calls_.size() >= mostCalls) return;
+    std::vector<double> numbers;
+    (appendNumbers(numbers, outcome), ...);
+    calls_.push_back({given, std::move(numbers)});
+  }
+
+  void setOracle(Hypothesis oracle) { oracle_ = std::move(oracle); }
+  void addMistake(std::string id, Hypothesis mistake) { mistakes_.emplace_back(std::move(id), std::move(mistake)); }
+
+  std::string diagnosis() const override {
+    if (!oracle_ || calls_.empty()) return "";
+    for (const auto& [id, mistake] : mistakes_) {
+      if (explains(mistake)) return id;
+    }
+    return "";
+  }
+
+ private:
+  struct Call {
+    Given given;
+    std::vector<double> outcome;
+  };
+
+  bool explains(const Hypothesis& mistake) const {
+    int wrong = 0;
+    for (const Call& call : calls_) {
+      const std::vector<double> expected = evaluate(oracle_, *call.given);
+      const std::vector<double> predicted = evaluate(mistake, *call.given);
+      const double scale = std::max(scaleOf(predicted), scaleOf(call.outcome));
+      if (!agree(call.outcome, predicted, scale)) return false;
+      if (!agree(call.outcome, expected, std::max(scaleOf(expected), scaleOf(call.outcome)))) ++wrong;
+    }
+    return wrong >= fewestWrong;
+  }
+
+  static std::vector<double> evaluate(const Hypothesis& function, std::tuple<std::decay_t<Args>...> arguments) {
+    std::vector<double> numbers;
+    const auto invoke = [&function](auto&... argument) -> Result { return function(static_cast<Args>(argument)...); };
+    if constexpr (std::is_void_v<Result>) {
+      std::apply(invoke, arguments);
+    } else {
+      const std::decay_t<Result> result = std::apply(invoke, arguments);
+      appendNumbers(numbers, result);
+    }
+    std::apply([&numbers](const auto&... argument) { (appendNumbers(numbers, argument), ...); }, arguments);
+    return numbers;
+  }
+
+  std::vector<Call> calls_;
+  Hypothesis oracle_;
+  std::vector<std::pair<std::string, Hypothesis>> mistakes_;
+};
+
+}  // namespace muelle::grader

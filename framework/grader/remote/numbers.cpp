@@ -1,0 +1,26 @@
+#include "grader/remote/numbers.h"
+
+#include <cmath>
+
+namespace muelle::grader {
+
+bool agree(const std::vector<double>& a, const std::vector<double>& b, double scale) {
+  if (a.size() != b.size()) return false;
+  const double tolerance = 1e-6 * scale;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::isnan(a[i]) != std::isnan(b[i])) return false;
+    if (std::isnan(a[i]) || a[i] == b[i]) continue;
+    if (!(std::abs(a[i] - b[i]) <= tolerance)) return false;
+  }
+  return true;
+}
+
+double scaleOf(const std::vector<double>& list) {
+  double scale = 0;
+  for (const double value : list) {
+    if (std::isfinite(value)) scale = std::max(scale, std::abs(value));
+  }
+  return scale;
+}
+
+}  // namespace muelle::grader

@@ -1,0 +1,105 @@
+#pragma once
+/// \file
+/// MUELLE_FUNCTIONS for the hidden tests: submission::f(args) is a call to the sandboxed worker, oracle::f is declared
+/// with the contract's signature, and every call is kept for the diagnosis of misconceptions.
+
+#include "grader/remote/call_history.h"
+#include "grader/remote/fault.h"
+#include "grader/remote/session.h"
+#include "grader/wire/codec.h"
+#include "grader/wire/signature.h"
+#include "harness/for_each.h"
+#include "harness/testing/print_value.h"
+
+#include <memory>
+
+namespace muelle::grader {
+
+/// A function of the contract, evaluated in another process.
+template <class Signature>
+class RemoteFunction;
+
+template <class Result, class... Args>
+class RemoteFunction<Result(Args...)> {
+ public:
+  constexpr explicit RemoteFunction(const char* name) : name_(name) {}
+
+  /// Throws SubmissionFault when the student's code does not return a value of the right shape.
+  Result operator()(Args... args) const {
+    // Copied before the call: an out-parameter changes, a description outlives the caller's objects.
+    const auto given = std::make_shared<const std::tuple<std::decay_t<Args>...>>(args...);
+    Request request;
+    request.function = name_;
+    request.id = wire::functionId(name_);
+    request.describe = [name = name_, given] {
+      return std::apply([name](const auto&... arg) { return printCall(name, arg...); }, *given);
+    };
+    wire::Writer writer;
+    (encodeArgument(writer, request, args), ...);
+    request.arguments = std::move(writer.bytes());
+
+    Session& session = Session::current();
+    const std::vector<std::byte> reply = session.call(request);
+    try {
+      wire::Reader reader(reply);
+      if constexpr (std::is_void_v<Result>) {
+        (decodeOut<Args>(reader, args), ...);
+        reader.expectEnd();
+        CallHistory<Result(Args...)>::of(name_).add(given, args...);
+      } else {
+        using wire::decode;
+        std::decay_t<Result> result;
+        decode(reader, result);
+        (decodeOut<Args>(reader, args), ...);
+        reader.expectEnd();
+        CallHistory<Result(Args...)>::of(name_).add(given, result, args...);
+        return result;
+      }
+    } catch (const wire::WireError& error) {
+      session.fail(SubmissionFault(std::string(name_) + " returned something else than its type: " + error.what()));
+    }
+  }
+
+ private:
+  template <class T>
+  static void encodeArgument(wire::Writer& writer, Request&, const T& argument) {
+    using wire::encode;
+    encode(writer, argument);
+  }
+
+  template <class CallbackResult, class... CallbackArgs>
+  static void encodeArgument(wire::Writer& writer, Request& request,
+                             const std::function<CallbackResult(CallbackArgs...)>& function) {
+    writer.number(static_cast<std::uint32_t>(request.callbacks.size()));
+    request.callbacks.push_back([function](std::span<const std::byte> bytes) {
+      using wire::decode;
+      using wire::encode;
+      wire::Reader reader(bytes);
+      std::tuple<std::decay_t<CallbackArgs>...> arguments;
+      std::apply([&reader](auto&... argument) { (decode(reader, argument), ...); }, arguments);
+      reader.expectEnd();
+      wire::Writer answer;
+      encode(answer, static_cast<const std::decay_t<CallbackResult>&>(std::apply(function, arguments)));
+      return std::move(answer.bytes());
+    });
+  }
+
+  template <class Parameter, class T>
+  static void decodeOut(wire::Reader& reader, T& argument) {
+    using wire::decode;
+    if constexpr (wire::isOutParameter<Parameter>) decode(reader, argument);
+  }
+
+  const char* name_;
+};
+
+}  // namespace muelle::grader
+
+#define MUELLE_REMOTE_FUNCTION_(function)                                                           \
+  namespace oracle {                                                                                \
+  decltype(::function) function;                                                                    \
+  }                                                                                                 \
+  namespace submission {                                                                            \
+  [[maybe_unused]] constexpr ::muelle::grader::RemoteFunction<decltype(::function)> function(#function); \
+  }
+#define MUELLE_FUNCTIONS(...) MUELLE_FOR_EACH(MUELLE_REMOTE_FUNCTION_, __VA_ARGS__)

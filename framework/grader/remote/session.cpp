@@ -1,0 +1,160 @@
+#include "grader/remote/session.h"
+
+#include "grader/remote/fault.h"
+#include "harness/check/eigen_message.h"
+
+#include <fmt/format.h>
+#include <random>
+#include <sstream>
+
+namespace muelle::grader {
+
+namespace {
+
+Session* theSession = nullptr;
+
+constexpr int repeatOneIn = 8;
+constexpr std::size_t rememberedCalls = 256;
+
+std::uint64_t freshNonce() {
+  static std::random_device device;  // the kernel's randomness: the worker cannot foresee it
+  return (static_cast<std::uint64_t>(device()) << 32) | device();
+}
+
+std::string text(const wire::Frame& frame) {
+  return {reinterpret_cast<const char*>(frame.payload.data()), std::min<std::size_t>(frame.payload.size(), 2000)};
+}
+
+/// "condition, function, index" by lines, as the worker sends an assertion of Eigen.
+std::string refusal(const wire::Frame& frame, const std::string& function) {
+  std::istringstream lines(text(frame));
+  std::string condition;
+  std::string where;
+  std::string index;
+  std::getline(lines, condition);
+  std::getline(lines, where);
+  std::getline(lines, index);
+  AssertedIndex asserted;
+  if (!index.empty() && index.size() < 12) asserted = AssertedIndex(std::strtol(index.c_str(), nullptr, 10));
+  return eigenMessage(condition, where, asserted, function);
+}
+
+std::string death(const std::string& cause) {
+  if (cause == "stack overflow") return "ran out of stack: does it call itself without end, or hold a huge local array?";
+  if (cause == "segmentation fault") return "crashed: it used memory that is not its own (segmentation fault)";
+  if (cause == "bus error") return "crashed (bus error)";
+  if (cause == "arithmetic exception") return "crashed: an integer division by zero (SIGFPE)";
+  return fmt::format("was stopped: it asked the operating system for '{}', which no exercise needs", cause.substr(0, 60));
+}
+
+}  // namespace
+
+Session::Session(Setup setup) : setup_(std::move(setup)), random_(setup_.seed) {}
+
+Session& Session::current() {
+  if (theSession == nullptr) throw GraderFault("a hidden test called a submission outside a session");
+  return *theSession;
+}
+
+void Session::setCurrent(Session* session) { theSession = session; }
+
+std::vector<std::byte> Session::call(const Request& request) {
+  describeLast_ = request.describe;
+  std::vector<std::byte> reply = exchange(request);
+  if (request.callbacks.empty()) {
+    remember(request, reply);
+    if (random_.integer(1, repeatOneIn) == 1) repeatAnEarlierCall();
+  }
+  return reply;
+}
+
+void Session::fail(const SubmissionFault& fault) {
+  fault_ = fault.what();
+  throw SubmissionFault(fault_);
+}
+
+std::vector<std::byte> Session::exchange(const Request& request) {
+  if (!graderFault_.empty()) throw GraderFault(graderFault_);
+  if (!fault_.empty()) throw SubmissionFault(fault_);
+  ++calls_;
+  try {
+    if (!worker_) worker_ = std::make_unique<WorkerProcess>(*setup_.sandbox, setup_.host, setup_.submission);
+    const auto start = WorkerProcess::Clock::now();
+    const auto left = setup_.limits.criterion - std::chrono::duration_cast<std::chrono::milliseconds>(waited_);
+    std::vector<std::byte> reply = converse(request, start + std::min(setup_.limits.call, left));
+    waited_ += WorkerProcess::Clock::now() - start;
+    return reply;
+  } catch (const SubmissionFault& error) {
+    fault_ = error.what();
+    if (error.timedOut()) {
+      timedOutFunction_ = request.function;
+      const bool callLimit = std::chrono::duration_cast<std::chrono::milliseconds>(waited_) + setup_.limits.call <
+                             setup_.limits.criterion;
+      fault_ = callLimit ? fmt::format("{} did not return within {} s", request.function,
+                                       static_cast<double>(setup_.limits.call.count()) / 1000.0)
+                         : fmt::format("the calls of this criterion took more than {} s together; the last was {}",
+                                       static_cast<double>(setup_.limits.criterion.count()) / 1000.0, request.function);
+    }
+    throw SubmissionFault(fault_, error.timedOut());
+  } catch (const GraderFault& error) {
+    graderFault_ = error.what();
+    throw;
+  }
+}
+
+std::vector<std::byte> Session::converse(const Request& request, WorkerProcess::Clock::time_point deadline) {
+  const std::uint64_t nonce = freshNonce();
+  worker_->send(wire::FrameKind::Call, nonce, request.id, request.arguments, deadline, request.function);
+  for (;;) {
+    wire::Frame frame = worker_->receive(nonce, deadline, request.function);
+    switch (frame.header.kind) {
+      case wire::FrameKind::Result:
+        return std::move(frame.payload);
+      case wire::FrameKind::Callback:
+        answerCallback(request, frame, nonce, deadline);
+        break;
+      case wire::FrameKind::Thrown:
+        throw SubmissionFault(fmt::format("{} threw an exception: {}", request.function, text(frame)));
+      case wire::FrameKind::Refused:
+        throw SubmissionFault(refusal(frame, request.function));
+      case wire::FrameKind::Died:
+        throw SubmissionFault(fmt::format("{} {}", request.function, death(text(frame))));
+      default:
+        throw SubmissionFault(request.function + " answered with a malformed message");
+    }
+  }
+}
+
+void Session::answerCallback(const Request& request, const wire::Frame& frame, std::uint64_t nonce,
+                             WorkerProcess::Clock::time_point deadline) {
+  if (frame.header.target >= request.callbacks.size()) {
+    throw SubmissionFault(request.function + " called a function that it was not given");
+  }
+  std::vector<std::byte> answer;
+  try {
+    answer = request.callbacks[frame.header.target](frame.payload);
+  } catch (const wire::WireError& error) {
+    throw SubmissionFault(fmt::format("{} called its argument with malformed values: {}", request.function, error.what()));
+  }
+  worker_->send(wire::FrameKind::Answer, nonce, frame.header.target, answer, deadline, request.function);
+}
+
+void Session::remember(const Request& request, const std::vector<std::byte>& reply) {
+  if (past_.size() < rememberedCalls) {
+    past_.push_back({request, reply});
+  } else {
+    past_[static_cast<std::size_t>(random_.integer(0, rememberedCalls - 1))] = {request, reply};
+  }
+}
+
+void Session::repeatAnEarlierCall() {
+  const PastCall& past = past_[static_cast<std::size_t>(random_.integer(0, static_cast<int>(past_.size()) - 1))];
+  if (exchange(past.request) != past.reply) {
+    describeLast_ = past.request.describe;
+    fail(SubmissionFault(past.request.function +
+                         " gave another answer when it was asked the same again: it must depend on its arguments alone "
+                         "(no static variables, every variable initialised)"));
+  }
+}
+
+}  // namespace muelle::grader

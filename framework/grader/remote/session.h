@@ -1,0 +1,99 @@
+#pragma once
+#include "grader/remote/fault.h"
+#include "grader/remote/worker_process.h"
+#include "grader/wire/frame.h"
+#include "harness/testing/random.h"
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace muelle::grader {
+
+/// A function of the test that the student's code may call during one call.
+using CallbackHandler = std::function<std::vector<std::byte>(std::span<const std::byte> arguments)>;
+
+/// One call, ready to be sent.
+struct Request {
+  std::string function;
+  std::uint32_t id = 0;
+  std::vector<std::byte> arguments;
+  std::vector<CallbackHandler> callbacks;
+  std::function<std::string()> describe;  ///< the call as source
+};
+
+/// How long a student's code may take.
+struct SessionLimits {
+  std::chrono::milliseconds call{2000};
+  std::chrono::milliseconds criterion{10000};  ///< waiting for calls, summed
+};
+
+/// The conversation of one test process with one worker.
+///
+/// Some calls are repeated later, out of order, with their old arguments: an answer that has changed is a fault, so
+/// counting calls or remembering answers earns nothing. After a fault every further call fails with the same words.
+class Session {
+ public:
+  struct Setup {
+    const Sandbox* sandbox = nullptr;
+    std::filesystem::path host;
+    std::filesystem::path submission;
+    std::uint64_t seed = 0;  ///< of the choice of repeated calls
+    SessionLimits limits;
+  };
+
+  explicit Session(Setup setup);
+
+  /// The session of this process; GraderFault when there is none.
+  static Session& current();
+  static void setCurrent(Session* session);
+
+  /// Performs a call. Throws SubmissionFault or GraderFault.
+  std::vector<std::byte> call(const Request& request);
+
+  /// Ends the session with a fault of the student's: an answer that cannot be read.
+  [[noreturn]] void fail(const SubmissionFault& fault);
+
+  const std::string& fault() const { return fault_; }
+  const std::string& graderFault() const { return graderFault_; }
+  /// The function in which time ran out, or "".
+  const std::string& timedOutFunction() const { return timedOutFunction_; }
+  std::string lastCall() const { return describeLast_ ? describeLast_() : std::string(); }
+  /// Forgets the last call, so that a test's failure does not show the call of another.
+  void forgetLastCall() { describeLast_ = nullptr; }
+  std::string output() const { return worker_ ? worker_->output() : std::string(); }
+  long calls() const { return calls_; }
+  /// Process id of the sandbox, 0 when no worker runs.
+  pid_t workerPid() const { return worker_ ? worker_->pid() : 0; }
+
+  /// A callback that threw in the test process: kept, so that it is not blamed on the student.
+  void noteGraderFault(const std::string& what) { graderFault_ = what; }
+
+ private:
+  struct PastCall {
+    Request request;
+    std::vector<std::byte> reply;
+  };
+
+  std::vector<std::byte> exchange(const Request& request);
+  std::vector<std::byte> converse(const Request& request, WorkerProcess::Clock::time_point deadline);
+  void answerCallback(const Request& request, const wire::Frame& frame, std::uint64_t nonce,
+                      WorkerProcess::Clock::time_point deadline);
+  void remember(const Request& request, const std::vector<std::byte>& reply);
+  void repeatAnEarlierCall();
+
+  Setup setup_;
+  Random random_;
+  std::unique_ptr<WorkerProcess> worker_;
+  std::vector<PastCall> past_;
+  std::function<std::string()> describeLast_;
+  std::chrono::nanoseconds waited_{0};
+  std::string fault_;
+  std::string graderFault_;
+  std::string timedOutFunction_;
+  long calls_ = 0;
+};
+
+}  // namespace muelle::grader

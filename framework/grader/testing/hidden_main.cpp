@@ -1,0 +1,137 @@
+/// \file
+/// The main of every hidden test program: grades one criterion and writes its record, or draws the demo's curves.
+/// No code of a student is ever loaded here; submission::f is a call to a worker.
+
+#include "grader/process/core_pin.h"
+#include "grader/record.h"
+#include "grader/remote/call_history.h"
+#include "grader/remote/fault.h"
+#include "grader/run/time_out_marks.h"
+#include "grader/sandbox/sandbox.h"
+#include "grader/testing/recorder.h"
+#include "harness/figure.h"
+#include "harness/testing/random.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <iostream>
+
+std::vector<muelle::Figure> muelleDemo();
+std::vector<muelle::Figure> muelleReferenceDemo();
+
+namespace {
+
+using namespace muelle::grader;
+
+struct Options {
+  std::string topic;
+  std::string suite;
+  std::filesystem::path worker;
+  std::filesystem::path host;
+  std::filesystem::path record;
+  std::filesystem::path figures;
+  std::filesystem::path coreLocks;
+  std::string sandbox = "auto";
+  std::vector<std::string> functions;
+  std::uint64_t seed = 0;
+};
+
+Options readOptions(int argc, char** argv) {
+  Options options;
+  CLI::App app("Grades one criterion of an exercise; started by the grader.");
+  app.add_option("--topic", options.topic)->required();
+  app.add_option("--suite", options.suite);
+  app.add_option("--worker", options.worker)->required();
+  app.add_option("--host", options.host)->required();
+  app.add_option("--record", options.record);
+  app.add_option("--figures", options.figures);
+  app.add_option("--core-locks", options.coreLocks)->required();
+  app.add_option("--sandbox", options.sandbox);
+  app.add_option("--functions", options.functions)->delimiter(',');
+  app.add_option("--seed", options.seed)->required();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    throw std::runtime_error(error.what());
+  }
+  return options;
+}
+
+/// Runs the suite unless a function that it needs is known not to return.
+void grade(const Options& options, Session& session, Verdict& verdict) {
+  const TimeOutMarks marks(options.worker.parent_path());
+  for (const std::string& function : options.functions) {
+    if (const auto seenIn = marks.find(function); seenIn && *seenIn != options.suite) {
+      verdict.fault = fmt::format("{} did not return in time in criterion {}; this criterion needs it", function, *seenIn);
+      return;
+    }
+  }
+  ::testing::GTEST_FLAG(filter) = options.suite + ".*";
+  auto& listeners = ::testing::UnitTest::GetInstance()->listeners();
+  delete listeners.Release(listeners.default_result_printer());
+  listeners.Append(new Recorder(session, verdict));  // GoogleTest owns its listeners
+  [[maybe_unused]] const int unused = RUN_ALL_TESTS();
+  verdict.fault = session.fault();
+  verdict.graderFault = session.graderFault();
+  if (!session.timedOutFunction().empty()) marks.add(session.timedOutFunction(), options.suite);
+}
+
+void diagnose(Verdict& verdict) {
+  if (verdict.passed() || !verdict.graderFault.empty()) return;
+  for (const auto& [function, history] : CallHistoryBase::all()) {
+    if (const std::string id = history->diagnosis(); !id.empty()) verdict.misconceptions.push_back(id);
+  }
+}
+
+void drawFigures(const Options& options) {
+  const std::vector<muelle::Figure> reference = muelleReferenceDemo();
+  const std::vector<muelle::Figure> student = muelleDemo();
+  std::vector<muelle::Figure> figures;
+  for (std::size_t i = 0; i < student.size(); ++i) {
+    figures.push_back(i < reference.size() ? student[i].over(reference[i]) : student[i]);
+  }
+  muelle::writeFigures(figures, options.figures);
+}
+
+int run(int argc, char** argv) {
+  const Options options = readOptions(argc, argv);
+  const CorePin pin(options.coreLocks);
+  const auto sandbox = makeSandbox(parseSandboxChoice(options.sandbox));
+  Session session({sandbox.get(), options.host, options.worker, options.seed, {}});
+  Session::setCurrent(&session);
+  muelle::setTestSeed(options.seed);
+
+  Verdict verdict;
+  verdict.topic = options.topic;
+  verdict.suite = options.suite.empty() ? "curves" : options.suite;
+  const auto start = std::chrono::steady_clock::now();
+  if (options.figures.empty()) {
+    grade(options, session, verdict);
+    diagnose(verdict);
+  } else {
+    try {
+      drawFigures(options);
+    } catch (const SubmissionFault& fault) {
+      verdict.fault = fault.what();
+    }
+    verdict.graderFault = session.graderFault();
+  }
+  verdict.output = session.output();
+  verdict.calls = session.calls();
+  verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  writeRecord(verdict, options.record);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int quiet = 1;  // our own options are not GoogleTest's
+  ::testing::InitGoogleTest(&quiet, argv);
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "muelle: " << error.what() << '\n';
+    return 1;
+  }
+}

@@ -1,0 +1,51 @@
+#include "grader/testing/recorder.h"
+
+#include <sstream>
+#include <string_view>
+
+namespace muelle::grader {
+
+namespace {
+
+constexpr std::size_t mostDetails = 5;
+
+/// GoogleTest's own words around an exception or a comparison are for programmers; the first line is enough, and a
+/// fault of the submission is told once, in the verdict.
+std::string firstLine(const char* message) {
+  const std::string_view text(message);
+  return std::string(text.substr(0, text.find('\n')));
+}
+
+/// The sentence of MUELLE_PROPERTY, or the test's name.
+std::string propertyOf(const ::testing::TestInfo& info) {
+  const ::testing::TestResult& result = *info.result();
+  for (int i = 0; i < result.test_property_count(); ++i) {
+    if (std::string_view(result.GetTestProperty(i).key()) == "property") return result.GetTestProperty(i).value();
+  }
+  return info.name();
+}
+
+}  // namespace
+
+void Recorder::OnTestStart(const ::testing::TestInfo&) {
+  current_ = TestOutcome();
+  session_.forgetLastCall();
+}
+
+void Recorder::OnTestPartResult(const ::testing::TestPartResult& part) {
+  if (!part.failed()) return;
+  if (current_.call.empty()) current_.call = session_.lastCall();
+  if (!session_.fault().empty() || !session_.graderFault().empty()) return;
+  const bool exception = std::string_view(part.message()).starts_with("C++ exception");
+  if (exception) session_.noteGraderFault("a hidden test threw: " + std::string(part.message()));
+  if (current_.details.size() < mostDetails) current_.details.push_back(firstLine(part.message()));
+}
+
+void Recorder::OnTestEnd(const ::testing::TestInfo& info) {
+  current_.name = info.name();
+  current_.property = propertyOf(info);
+  current_.passed = info.result()->Passed();
+  verdict_.tests.push_back(current_);
+}
+
+}  // namespace muelle::grader

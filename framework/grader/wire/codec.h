@@ -1,0 +1,133 @@
+#pragma once
+/// \file
+/// Values as bytes and back: numbers, vectors and matrices of fixed and of run-time size, sparse matrices, lists and
+/// structs. `encode(writer, value)` and `decode(reader, value)`; decode throws WireError and allocates nothing that the
+/// message does not pay for.
+
+#include "grader/wire/bytes.h"
+#include "harness/testing/struct_fields.h"
+#include "harness/types.h"
+
+#include <Eigen/SparseCore>
+
+#include <array>
+#include <vector>
+
+namespace muelle::grader::wire {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+template <class T>
+concept Number = std::is_arithmetic_v<T>;
+
+// Declared first, so that lists of structs of matrices of ... find each other.
+template <Number T>
+void encode(Writer& writer, T value);
+template <Number T>
+void decode(Reader& reader, T& value);
+void encode(Writer& writer, const std::string& text);
+void decode(Reader& reader, std::string& text);
+template <int Rows, int Cols, int Options>
+void encode(Writer& writer, const Eigen::Matrix<double, Rows, Cols, Options>& m);
+template <int Rows, int Cols, int Options>
+void decode(Reader& reader, Eigen::Matrix<double, Rows, Cols, Options>& m);
+void encode(Writer& writer, const Sparse& m);
+void decode(Reader& reader, Sparse& m);
+template <class T>
+void encode(Writer& writer, const std::vector<T>& list);
+template <class T>
+void decode(Reader& reader, std::vector<T>& list);
+template <class T, std::size_t N>
+void encode(Writer& writer, const std::array<T, N>& list);
+template <class T, std::size_t N>
+void decode(Reader& reader, std::array<T, N>& list);
+template <DescribedStruct T>
+void encode(Writer& writer, const T& object);
+template <DescribedStruct T>
+void decode(Reader& reader, T& object);
+
+template <Number T>
+void encode(Writer& writer, T value) {
+  if constexpr (std::is_floating_point_v<T>) {
+    writer.number(static_cast<double>(value));
+  } else {
+    writer.number(static_cast<std::int64_t>(value));
+  }
+}
+
+template <Number T>
+void decode(Reader& reader, T& value) {
+  if constexpr (std::is_floating_point_v<T>) {
+    value = static_cast<T>(reader.number<double>());
+  } else {
+    const auto wide = reader.number<std::int64_t>();
+    value = static_cast<T>(wide);
+    if (static_cast<std::int64_t>(value) != wide) throw WireError("an integer is out of range");
+  }
+}
+
+/// A matrix whose size is known travels as its entries alone; otherwise rows and columns come first.
+template <int Rows, int Cols, int Options>
+void encode(Writer& writer, const Eigen::Matrix<double, Rows, Cols, Options>& m) {
+  if constexpr (Rows == Eigen::Dynamic || Cols == Eigen::Dynamic) {
+    writer.number(static_cast<std::uint64_t>(m.rows()));
+    writer.number(static_cast<std::uint64_t>(m.cols()));
+  }
+  writer.numbers(m.data(), static_cast<std::size_t>(m.size()));
+}
+
+template <int Rows, int Cols, int Options>
+void decode(Reader& reader, Eigen::Matrix<double, Rows, Cols, Options>& m) {
+  if constexpr (Rows == Eigen::Dynamic || Cols == Eigen::Dynamic) {
+    const auto rows = reader.number<std::uint64_t>();
+    const auto cols = reader.number<std::uint64_t>();
+    const std::size_t room = reader.remaining() / sizeof(double);
+    if (rows > room || cols > room || (cols > 0 && rows > room / cols)) {
+      throw WireError("a matrix is larger than its message");
+    }
+    if ((Rows != Eigen::Dynamic && rows != Rows) || (Cols != Eigen::Dynamic && cols != Cols)) {
+      throw WireError("a matrix has the wrong shape");
+    }
+    m.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(cols));
+  }
+  reader.numbers(m.data(), static_cast<std::size_t>(m.size()));
+}
+
+template <class T>
+void encode(Writer& writer, const std::vector<T>& list) {
+  writer.number(static_cast<std::uint64_t>(list.size()));
+  for (const auto& item : list) encode(writer, static_cast<const T&>(item));
+}
+
+template <class T>
+void decode(Reader& reader, std::vector<T>& list) {
+  // Every element but an empty struct takes at least eight bytes.
+  list.assign(reader.length(sizeof(std::int64_t)), T());
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    T item;
+    decode(reader, item);
+    list[i] = std::move(item);
+  }
+}
+
+template <class T, std::size_t N>
+void encode(Writer& writer, const std::array<T, N>& list) {
+  for (const auto& item : list) encode(writer, item);
+}
+
+template <class T, std::size_t N>
+void decode(Reader& reader, std::array<T, N>& list) {
+  for (auto& item : list) decode(reader, item);
+}
+
+template <DescribedStruct T>
+void encode(Writer& writer, const T& object) {
+  visitFields(object, [&writer](const auto& field) { encode(writer, field); });
+}
+
+template <DescribedStruct T>
+void decode(Reader& reader, T& object) {
+  visitFields(object, [&reader](auto& field) { decode(reader, field); });
+}
+
+}  // namespace muelle::grader::wire

@@ -1,0 +1,41 @@
+/// \file
+/// Linked with a student's object file into the shared object that the worker loads; compiled once for each exercise,
+/// with MUELLE_CONTRACT naming its header.
+
+#include MUELLE_CONTRACT
+
+#include <exception>
+
+namespace {
+
+muelle::grader::worker::HostPort* currentPort = nullptr;
+
+}  // namespace
+
+void muelle::eigenAssertionFailed(const char* condition, const char* function, AssertedIndex index) {
+  if (currentPort != nullptr) currentPort->refuse(condition, function, index.known, index.value);
+  std::abort();  // an assertion in a constructor, before the first call
+}
+
+extern "C" __attribute__((visibility("default"))) muelle::grader::worker::Served muelleServe(
+    std::uint32_t id, const std::vector<std::byte>& arguments, std::vector<std::byte>& result, std::string& text,
+    muelle::grader::worker::HostPort& port) {
+  using namespace muelle::grader;
+  currentPort = &port;
+  for (const auto& function : worker::servedFunctions) {
+    if (function.id != id) continue;
+    try {
+      wire::Reader in(arguments);
+      wire::Writer out;
+      function.call(in, out, port);
+      result = std::move(out.bytes());
+      return worker::Served::Returned;
+    } catch (const std::exception& error) {
+      text = error.what();
+    } catch (...) {
+      text = "an object that is no std::exception";
+    }
+    return worker::Served::Threw;
+  }
+  return worker::Served::Unknown;
+}

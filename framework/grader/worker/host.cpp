@@ -1,0 +1,171 @@
+/// \file
+/// The worker: a trusted program that is already confined when it starts, installs its filter, and only then loads the
+/// shared object with the student's code. It reads calls from one pipe and writes results to another.
+///
+/// Whatever happens in this process after the load is the student's word; the test process believes none of it.
+
+#include "grader/wire/frame.h"
+#include "grader/worker/filter.h"
+#include "grader/worker/glue.h"
+#include "grader/worker/limits.h"
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <dlfcn.h>
+#include <exception>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+namespace {
+
+using namespace muelle::grader;
+
+constexpr int failure = 3;  // exit status: the host's own trouble, told apart from the student's
+
+void writeAll(const void* data, std::size_t count) {
+  const auto* bytes = static_cast<const char*>(data);
+  while (count > 0) {
+    const ssize_t written = write(wire::replyDescriptor, bytes, count);
+    if (written <= 0) _exit(failure);
+    bytes += written;
+    count -= static_cast<std::size_t>(written);
+  }
+}
+
+void readAll(void* data, std::size_t count) {
+  auto* bytes = static_cast<char*>(data);
+  while (count > 0) {
+    const ssize_t got = read(wire::requestDescriptor, bytes, count);
+    if (got <= 0) _exit(0);  // the test process has closed the pipe: it is done
+    bytes += got;
+    count -= static_cast<std::size_t>(got);
+  }
+}
+
+void send(wire::FrameKind kind, std::uint64_t nonce, std::uint32_t target, const void* data, std::size_t count) {
+  wire::FrameHeader header;
+  header.kind = kind;
+  header.nonce = nonce;
+  header.target = target;
+  header.bytes = static_cast<std::uint32_t>(count);
+  writeAll(&header, sizeof header);
+  if (count > 0) writeAll(data, count);
+}
+
+void sendText(wire::FrameKind kind, std::uint64_t nonce, const std::string& text) {
+  send(kind, nonce, 0, text.data(), text.size());
+}
+
+wire::Frame receive() {
+  wire::Frame frame;
+  readAll(&frame.header, sizeof frame.header);
+  frame.payload.resize(frame.header.bytes);
+  if (frame.header.bytes > 0) readAll(frame.payload.data(), frame.payload.size());
+  return frame;
+}
+
+std::uint64_t currentNonce = 0;  // for the signal handlers
+
+class Port : public worker::HostPort {
+ public:
+  std::vector<std::byte> callback(std::uint32_t id, const std::vector<std::byte>& arguments) override {
+    send(wire::FrameKind::Callback, currentNonce, id, arguments.data(), arguments.size());
+    return receive().payload;
+  }
+
+  [[noreturn]] void refuse(const std::string& condition, const std::string& function, bool indexKnown,
+                           long index) override {
+    const std::string known = indexKnown ? std::to_string(index) : "";
+    sendText(wire::FrameKind::Refused, currentNonce, condition + '\n' + function + '\n' + known);
+    _exit(0);
+  }
+};
+
+void sendDeath(const char* text) {
+  std::size_t length = 0;
+  while (text[length] != '\0') ++length;
+  send(wire::FrameKind::Died, currentNonce, 0, text, length);
+}
+
+/// A fault near the stack pointer is a stack that has outgrown its limit.
+void onFault(int signal, siginfo_t* info, void* context) {
+  const auto* machine = static_cast<const ucontext_t*>(context);
+  const auto address = reinterpret_cast<std::uintptr_t>(info->si_addr);
+  const auto stackPointer = static_cast<std::uintptr_t>(machine->uc_mcontext.gregs[REG_RSP]);
+  constexpr std::uintptr_t near = 64UL * 1024;
+  const bool overflow = address + near > stackPointer && address < stackPointer + near;
+  if (signal == SIGSYS) {
+    sendDeath(worker::systemCallName(info->si_syscall));
+  } else if (signal == SIGSEGV && overflow) {
+    sendDeath("stack overflow");
+  } else {
+    sendDeath(signal == SIGSEGV ? "segmentation fault" : signal == SIGBUS ? "bus error" : "arithmetic exception");
+  }
+  _exit(128 + signal);
+}
+
+void installHandlers() {
+  constexpr std::size_t bytes = 64UL * 1024;
+  static char stack[bytes];
+  stack_t alternative{};
+  alternative.ss_sp = stack;
+  alternative.ss_size = bytes;
+  sigaltstack(&alternative, nullptr);
+  struct sigaction action {};
+  action.sa_sigaction = onFault;
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_RESETHAND;
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGSYS}) sigaction(signal, &action, nullptr);
+}
+
+void serveForEver(worker::ServeFunction serve) {
+  Port port;
+  for (;;) {
+    const wire::Frame request = receive();
+    currentNonce = request.header.nonce;
+    std::vector<std::byte> result;
+    std::string text;
+    switch (serve(request.header.target, request.payload, result, text, port)) {
+      case worker::Served::Returned:
+        send(wire::FrameKind::Result, currentNonce, request.header.target, result.data(), result.size());
+        break;
+      case worker::Served::Threw:
+        sendText(wire::FrameKind::Thrown, currentNonce, text);
+        break;
+      case worker::Served::Unknown:
+        sendText(wire::FrameKind::LoadError, currentNonce, "the submission does not serve this function");
+        break;
+    }
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return failure;
+  try {
+    worker::systemCallName(0);  // builds the table while allocating is still safe
+    prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);
+    worker::applyLimits();
+    installHandlers();
+    worker::installLoadingFilter();
+  } catch (const std::exception& error) {
+    sendText(wire::FrameKind::HostError, 0, error.what());
+    return failure;
+  }
+  send(wire::FrameKind::Confined, 0, 0, nullptr, 0);
+  void* submission = dlopen(argv[1], RTLD_NOW | RTLD_LOCAL);
+  if (submission == nullptr) {
+    sendText(wire::FrameKind::LoadError, 0, dlerror());
+    return 0;
+  }
+  const auto serve = reinterpret_cast<worker::ServeFunction>(dlsym(submission, worker::serveSymbol));
+  if (serve == nullptr) {
+    sendText(wire::FrameKind::LoadError, 0, "the submission has no entry point");
+    return 0;
+  }
+  worker::installRunningFilter();
+  send(wire::FrameKind::Ready, 0, 0, nullptr, 0);
+  serveForEver(serve);
+}
