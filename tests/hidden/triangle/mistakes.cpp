@@ -60,31 +60,31 @@ MUELLE_MISTAKE(massMatrix, mass_once_per_node, [](const Vec3& m) {
 MUELLE_MISTAKE(massMatrix, inverse_mass_matrix,
                [](const Vec3& m) { return oracle::massMatrix(Vec3(m.cwiseInverse())); });
 
-MUELLE_MISTAKE(triangleEnergy, energy_missing_half,
+MUELLE_MISTAKE(triangleEnergy, missing_half,
                [](const Vec9& x, const Vec3& k, const Vec3& L0) { return 2 * oracle::triangleEnergy(x, k, L0); });
-MUELLE_MISTAKE(triangleEnergy, energy_missing_rest_length,
+MUELLE_MISTAKE(triangleEnergy, missing_rest_length,
                [](const Vec9& x, const Vec3& k, const Vec3&) { return oracle::triangleEnergy(x, k, Vec3::Zero()); });
-MUELLE_MISTAKE(triangleEnergy, energy_difference_of_squares, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleEnergy, difference_of_squares, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   double E = 0;
   for (int s = 0; s < 3; ++s) E += 0.5 * k[s] * (length(x, s) * length(x, s) - L0[s] * L0[s]);
   return E;
 });
-MUELLE_MISTAKE(triangleEnergy, energy_last_spring_only, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleEnergy, overwrites, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   return oracle::triangleEnergy(x, Vec3(0, 0, k[2]), L0);
 });
-MUELLE_MISTAKE(triangleEnergy, energy_two_springs, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleEnergy, two_springs, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   return oracle::triangleEnergy(x, Vec3(k[0], k[1], 0), L0);
 });
-MUELLE_MISTAKE(triangleEnergy, energy_springs_reordered, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleEnergy, springs_reordered, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   return oracle::triangleEnergy(x, reordered(k, in010212), reordered(L0, in010212));
 });
-MUELLE_MISTAKE(triangleEnergy, energy_springs_by_opposite_node, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleEnergy, springs_by_opposite_node, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   return oracle::triangleEnergy(x, reordered(k, byOppositeNode), reordered(L0, byOppositeNode));
 });
-MUELLE_MISTAKE(triangleEnergy, energy_one_rest_length, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleEnergy, one_rest_length, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   return oracle::triangleEnergy(x, k, Vec3(Vec3::Constant(L0[0])));
 });
-MUELLE_MISTAKE(triangleEnergy, energy_zero_when_coincident, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleEnergy, energy_lost_when_coincident, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   double E = 0;
   for (int s = 0; s < 3; ++s) {
     const double L = length(x, s);
@@ -93,20 +93,20 @@ MUELLE_MISTAKE(triangleEnergy, energy_zero_when_coincident, [](const Vec9& x, co
   return E;
 });
 
-MUELLE_MISTAKE(triangleForce, force_wrong_sign,
+MUELLE_MISTAKE(triangleForce, wrong_sign,
                [](const Vec9& x, const Vec3& k, const Vec3& L0) { return Vec9(-oracle::triangleForce(x, k, L0)); });
-MUELLE_MISTAKE(triangleForce, force_missing_rest_length,
+MUELLE_MISTAKE(triangleForce, missing_rest_length,
                [](const Vec9& x, const Vec3& k, const Vec3&) { return oracle::triangleForce(x, k, Vec3::Zero()); });
-MUELLE_MISTAKE(triangleForce, force_not_normalised, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleForce, not_normalised, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   return assembled([&](int s) { return Vec3(-k[s] * (length(x, s) - L0[s]) * difference(x, s)); });
 });
-MUELLE_MISTAKE(triangleForce, force_half_kept, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleForce, half_kept, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   return Vec9(0.5 * oracle::triangleForce(x, k, L0));
 });
-MUELLE_MISTAKE(triangleForce, force_of_squared_length, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleForce, gradient_of_squared_length, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   return assembled([&](int s) { return Vec3(-2 * k[s] * (length(x, s) - L0[s]) * difference(x, s)); });
 });
-MUELLE_MISTAKE(triangleForce, force_overwrites, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleForce, overwrites, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   Vec9 F = Vec9::Zero();
   for (int s = 0; s < 3; ++s) {
     F.segment<3>(3 * first(s)) = springForce(x, k, L0, s);
@@ -114,12 +114,12 @@ MUELLE_MISTAKE(triangleForce, force_overwrites, [](const Vec9& x, const Vec3& k,
   }
   return F;
 });
-MUELLE_MISTAKE(triangleForce, force_without_reaction, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleForce, without_reaction, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   Vec9 F = Vec9::Zero();
   for (int s = 0; s < 3; ++s) F.segment<3>(3 * first(s)) += springForce(x, k, L0, s);
   return F;
 });
-MUELLE_MISTAKE(triangleForce, force_same_on_both_nodes, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleForce, same_on_both_nodes, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   Vec9 F = Vec9::Zero();
   for (int s = 0; s < 3; ++s) {
     F.segment<3>(3 * first(s)) += springForce(x, k, L0, s);
@@ -127,7 +127,7 @@ MUELLE_MISTAKE(triangleForce, force_same_on_both_nodes, [](const Vec9& x, const 
   }
   return F;
 });
-MUELLE_MISTAKE(triangleForce, force_wrong_block, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleForce, wrong_block, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   Vec9 F = Vec9::Zero();
   for (int s = 0; s < 3; ++s) {
     F.segment<3>(first(s)) += springForce(x, k, L0, s);
@@ -135,31 +135,31 @@ MUELLE_MISTAKE(triangleForce, force_wrong_block, [](const Vec9& x, const Vec3& k
   }
   return F;
 });
-MUELLE_MISTAKE(triangleForce, force_interleaved, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleForce, interleaved, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   const Vec9 F = oracle::triangleForce(x, k, L0);
   Vec9 byComponent;
   for (int i = 0; i < 9; ++i) byComponent[i] = F[3 * (i % 3) + i / 3];
   return byComponent;
 });
-MUELLE_MISTAKE(triangleForce, force_two_springs, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleForce, two_springs, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   return oracle::triangleForce(x, Vec3(k[0], k[1], 0), L0);
 });
-MUELLE_MISTAKE(triangleForce, force_springs_reordered, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleForce, springs_reordered, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   return oracle::triangleForce(x, reordered(k, in010212), reordered(L0, in010212));
 });
-MUELLE_MISTAKE(triangleForce, force_springs_by_opposite_node, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleForce, springs_by_opposite_node, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   return oracle::triangleForce(x, reordered(k, byOppositeNode), reordered(L0, byOppositeNode));
 });
-MUELLE_MISTAKE(triangleForce, force_one_rest_length, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleForce, one_rest_length, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   return oracle::triangleForce(x, k, Vec3(Vec3::Constant(L0[0])));
 });
-MUELLE_MISTAKE(triangleForce, force_coincident_stops_all, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleForce, coincident_stops_all, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   for (int s = 0; s < 3; ++s) {
     if (length(x, s) == 0) return Vec9(Vec9::Zero());
   }
   return oracle::triangleForce(x, k, L0);
 });
-MUELLE_MISTAKE(triangleForce, force_unguarded, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleForce, unguarded, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   Vec9 F = oracle::triangleForce(x, k, L0);
   for (int s = 0; s < 3; ++s) {
     if (length(x, s) > 0) continue;
@@ -168,7 +168,7 @@ MUELLE_MISTAKE(triangleForce, force_unguarded, [](const Vec9& x, const Vec3& k, 
   }
   return F;
 });
-MUELLE_MISTAKE(triangleForce, force_threshold, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+MUELLE_MISTAKE(triangleForce, threshold, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   Vec3 felt = k;
   for (int s = 0; s < 3; ++s) {
     if (length(x, s) < threshold) felt[s] = 0;
