@@ -121,6 +121,7 @@ TEST_F(FolderLayout, IsNamedAfterTheFolder) {
   const std::string name = folder_.path().filename().string();
   EXPECT_EQ(takeSubmission(folder_.path().string() + "/", smallCourse()).name, name);
   EXPECT_EQ(take().name, name);
+  EXPECT_EQ(take().path, folder_.path());
 }
 
 TEST_F(FolderLinks, RefusesASymbolicLinkInPlaceOfTheFile) {

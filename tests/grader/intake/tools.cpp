@@ -3,6 +3,7 @@
 #include <archive.h>
 #include <archive_entry.h>
 #include <gtest/gtest.h>
+#include <locale.h>
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -73,6 +74,22 @@ void setFormat(archive* a, Format format) {
   check(::archive_write_set_format_pax_restricted(a), a);
 }
 
+/// The writer needs to know how names are encoded; the reader under test must do without.
+class Utf8Locale {
+ public:
+  Utf8Locale() : utf8_(::newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)), before_(::uselocale(utf8_)) {}
+  Utf8Locale(const Utf8Locale&) = delete;
+  Utf8Locale& operator=(const Utf8Locale&) = delete;
+  ~Utf8Locale() {
+    ::uselocale(before_);
+    ::freelocale(utf8_);
+  }
+
+ private:
+  locale_t utf8_;
+  locale_t before_;
+};
+
 void writeEntry(archive* a, const ArchiveEntry& given) {
   const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(::archive_entry_new(), ::archive_entry_free);
   ::archive_entry_set_pathname_utf8(entry.get(), given.name.c_str());
@@ -89,6 +106,7 @@ void writeEntry(archive* a, const ArchiveEntry& given) {
 }  // namespace
 
 void writeArchive(const std::filesystem::path& file, Format format, const std::vector<ArchiveEntry>& entries) {
+  const Utf8Locale locale;
   const std::unique_ptr<archive, int (*)(archive*)> a(::archive_write_new(), ::archive_write_free);
   setFormat(a.get(), format);
   check(::archive_write_open_filename(a.get(), file.c_str()), a.get());
