@@ -59,7 +59,7 @@ void runCtest(const GradingJob& job, int jobs, const ProgressListener& progress)
   ctest.wait(std::chrono::steady_clock::now() + ctestLimit);  // its exit status says nothing: only records count
 }
 
-std::string backendDescription(SandboxChoice choice) { return makeSandbox(choice)->description(); }
+std::string backendDescription(SandboxChoice choice) { return settledSandbox(choice)->description(); }
 
 GradedExercise collectExercise(const GradingJob& job, const Manifest& manifest) {
   using Status = BuildOutcome::Status;

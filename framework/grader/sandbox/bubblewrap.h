@@ -11,7 +11,7 @@ namespace muelle::grader {
 class Bubblewrap : public Sandbox {
  public:
   std::string description() const override { return "bubblewrap"; }
-  bool strong() const override { return true; }
+  SandboxChoice choice() const override { return SandboxChoice::Bubblewrap; }
 
   /// "" when it works on this machine, else one line that says why not.
   static std::string whyNot();

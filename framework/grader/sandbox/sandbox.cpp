@@ -37,6 +37,11 @@ std::unique_ptr<Sandbox> makeSandbox(SandboxChoice choice) {
   throw std::runtime_error("no sandbox works here");
 }
 
+std::unique_ptr<Sandbox> settledSandbox(SandboxChoice choice) {
+  if (choice == SandboxChoice::Bubblewrap) return std::make_unique<Bubblewrap>();
+  return makeSandbox(choice);
+}
+
 Child Sandbox::start(const Confinement& confinement) const {
   const Prepared prepared = prepare(confinement);
   Child child(prepared.spec);

@@ -29,6 +29,14 @@ struct Confinement {
   ResourceLimits limits;
 };
 
+/// Which backends may be used.
+enum class SandboxChoice {
+  Automatic,   ///< bubblewrap, else Landlock; else an error that says what to install or allow
+  Bubblewrap,  ///< that or an error
+  Landlock,    ///< own user id, Landlock, seccomp, limits: weaker
+  Unsafe,      ///< limits only: for an author's own files
+};
+
 /// A way to confine a program.
 class Sandbox {
  public:
@@ -42,8 +50,8 @@ class Sandbox {
                     std::size_t errBytes) const;
   /// For the report: "bubblewrap", or a weaker way and why.
   virtual std::string description() const = 0;
-  /// True for the strongest backend.
-  virtual bool strong() const = 0;
+  /// The choice that makes this very backend again.
+  virtual SandboxChoice choice() const = 0;
 
  protected:
   /// What has to be started, and what must stay open until it is.
@@ -55,14 +63,6 @@ class Sandbox {
   virtual Prepared prepare(const Confinement& confinement) const = 0;
 };
 
-/// Which backends may be used.
-enum class SandboxChoice {
-  Automatic,   ///< bubblewrap, else Landlock; else an error that says what to install or allow
-  Bubblewrap,  ///< that or an error
-  Landlock,    ///< own user id, Landlock, seccomp, limits: weaker
-  Unsafe,      ///< limits only: for an author's own files
-};
-
 /// Reads "auto", "bubblewrap", "landlock", "unsafe"; throws std::runtime_error otherwise.
 SandboxChoice parseSandboxChoice(const std::string& text);
 std::string toText(SandboxChoice choice);
@@ -70,6 +70,9 @@ std::string toText(SandboxChoice choice);
 /// The best backend that works on this machine (tried, not guessed) within the choice.
 /// Throws std::runtime_error with what to do when there is none.
 std::unique_ptr<Sandbox> makeSandbox(SandboxChoice choice);
+
+/// The backend of a choice that makeSandbox() has settled, without trying it again: for the many processes of one run.
+std::unique_ptr<Sandbox> settledSandbox(SandboxChoice choice);
 
 /// A user and group id that belongs to nobody, for a confined program when the grader is root: 2 000 000 and above,
 /// different for processes that run at the same time.

@@ -96,7 +96,7 @@ void drawFigures(const Options& options) {
 int run(int argc, char** argv) {
   const Options options = readOptions(argc, argv);
   const CorePin pin(options.coreLocks);
-  const auto sandbox = makeSandbox(parseSandboxChoice(options.sandbox));
+  const auto sandbox = settledSandbox(parseSandboxChoice(options.sandbox));
   Session session({sandbox.get(), options.host, options.worker, options.seed, {}});
   Session::setCurrent(&session);
   muelle::setTestSeed(options.seed);
