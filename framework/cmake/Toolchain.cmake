@@ -31,6 +31,6 @@ if(MUELLE_MOLD)
 endif()
 
 # A student's file: optimised a little, position independent for the worker's shared object, same for check and grade,
-# so that both use one precompiled header.
-set(MUELLE_STUDENT_FLAGS -std=c++20 -O1 -fPIC -Wall -Wextra)
+# so that both use one precompiled header. The standard library checks indices, as Eigen does.
+set(MUELLE_STUDENT_FLAGS -std=c++20 -O1 -fPIC -Wall -Wextra -D_GLIBCXX_ASSERTIONS)
 string(JOIN " " MUELLE_STUDENT_FLAGS_TEXT ${MUELLE_STUDENT_FLAGS})

@@ -48,9 +48,10 @@ const char* runningFunction() {
   return CallRecord::current() != nullptr ? CallRecord::current()->function() : "the program";
 }
 
-[[noreturn]] void sendAndEnd(const char* sentence) {
+/// Writes the report of a crash and ends the process.
+[[noreturn]] void sendAndEnd(const char* subject, const char* sentence) {
   Line line;
-  line << "crash\t" << runningFunction() << " " << sentence;
+  line << "crash\t" << subject << sentence;
   line.send();
   // The call that did it; setLastCall() was complete before the call began.
   if (CallRecord::current() != nullptr && CallRecord::printsArguments()) {
@@ -59,6 +60,14 @@ const char* runningFunction() {
     call.send();
   }
   _exit(1);
+}
+
+/// A sentence about the student's function that runs.
+[[noreturn]] void sendAndEnd(const char* sentence) {
+  static char subject[200];
+  std::strncat(subject, runningFunction(), sizeof subject - 2);
+  std::strncat(subject, " ", 2);
+  sendAndEnd(subject, sentence);
 }
 
 /// A fault just below the stack's end is an overflow; a big local variable may jump over the guard page by far.
@@ -100,6 +109,8 @@ void onTerminate() {
   if (const std::exception_ptr exception = std::current_exception()) {
     try {
       std::rethrow_exception(exception);
+    } catch (const EigenMisuse& error) {
+      sendAndEnd("", error.what());
     } catch (const std::exception& error) {
       std::strncat(sentence, ": ", 3);
       std::strncat(sentence, error.what(), 500);
@@ -159,11 +170,12 @@ void watchForCrashes() {
   sigaltstack(&stack, nullptr);
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT}) handle(signal, onSignal);
   std::set_terminate(onTerminate);
-  std::atexit(onExit);
-  // The call records exist before a handler asks for them.
+  // The call records exist before a handler asks for them, and longer than it may ask.
+  CallRecord::setLastCall("");
   CallRecord::count() = 0;
   CallRecord::current() = nullptr;
   CallRecord::printsArguments() = true;
+  std::atexit(onExit);
   startClock();
 }
 

@@ -1,7 +1,14 @@
 #pragma once
+#include <stdexcept>
 #include <string_view>
 
 namespace muelle {
+
+/// A refused operation of Eigen, in a sentence that names the student's function.
+class EigenMisuse : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
 
 /// From now on a crash, an endless recursion, a call that lasts longer than 2 s, an exception that nobody catches and
 /// an early exit of this process write one line, "crash<TAB>sentence", to the report and end the process. The sentence

@@ -78,6 +78,16 @@ std::optional<Statement> readStatement(std::string_view line) {
   return std::nullopt;
 }
 
+/// "no match for 'operator-' in 'a - (long template) b' (operand types ...": the line of source says the middle better.
+std::string withoutExpression(std::string_view message) {
+  const std::size_t in = message.find("' in '");
+  const std::size_t operands = message.rfind(" (operand type");
+  const bool isOperator = has(message, "no match for 'operator") && in != std::string_view::npos &&
+                          operands != std::string_view::npos && in < operands;
+  if (!isOperator) return std::string(message);
+  return std::string(message.substr(0, in + 1)) + std::string(message.substr(operands));
+}
+
 /// Reads the compiler's text once from top to bottom.
 class Reader {
  public:
@@ -133,8 +143,12 @@ class Reader {
       return;
     }
     const Location place = isStudents ? statement.location : *context_;
-    Diagnostic diagnostic{isError,      std::string(place.file),           place.line,
-                          place.column, withPlainTypes(statement.message), explainMessage(statement.message, mixed_)};
+    Diagnostic diagnostic{isError,
+                          std::string(place.file),
+                          place.line,
+                          place.column,
+                          withPlainTypes(withoutExpression(statement.message)),
+                          explainMessage(statement.message, mixed_)};
     if (has(statement.message, "expected")) explainSemicolon(statement.message, diagnostic);
     shorten(diagnostic);
     found_.push_back(diagnostic);

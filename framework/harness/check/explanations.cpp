@@ -40,7 +40,8 @@ constexpr Translation staticAssertions[] = {
     {"ONLY_FOR_VECTORS_OF_A_SPECIFIC_SIZE", "this works only for vectors of another size (cross() needs two Vec3)"},
     {"ONLY_FOR_1x1_EXPRESSIONS", "only a 1 x 1 product can become a number: use a.dot(b)"},
     {"VECTOR_METHOD_ON_A_MATRIX", "this works for vectors only, and this is a matrix"},
-    {"FLOATING_POINT_ARGUMENT_PASSED", "sizes and indices are integers"},
+    {"FLOATING_POINT_ARGUMENT_PASSED",
+     "wrong number of components (a Vec3 takes three numbers), or a size or index that is no integer"},
 };
 
 std::string explainStaticAssertion(std::string_view message, const std::vector<std::string>& mixed) {
@@ -61,17 +62,21 @@ bool isNumber(std::string_view type) {
 /// "no match for 'operator+' (operand types are 'A' and 'B')"
 std::string explainOperator(std::string_view message) {
   const std::string name = quoted(message, 0).substr(8);
-  const std::string plain = withPlainTypes(message);
-  const std::string left = quoted(plain, 1);
-  const std::string right = quoted(plain, 2);
+  const std::size_t operands = message.rfind("(operand type");
+  if (operands == std::string_view::npos) return "";
+  const std::string plain = withPlainTypes(message.substr(operands));
+  const std::string left = quoted(plain, 0);
+  const std::string right = quoted(plain, 1);
   const bool isSum = name == "+" || name == "-" || name == "+=" || name == "-=";
   const bool mixesNumber = isNumber(left) != isNumber(right);
   if (isSum && mixesNumber) {
     return "a number and a vector do not add up: give the number a direction first (a number times a unit vector)";
   }
   if (name == "/" && !isNumber(right)) return "a vector cannot divide: divide by a number, such as its length .norm()";
-  if (name == "=" && left.starts_with("const "))
-    return "this is const and cannot be changed: copy it into a variable of your own";
+  const bool assigns = name == "=" || name == "+=" || name == "-=" || name == "*=" || name == "/=";
+  if (assigns && left.starts_with("const ")) {
+    return "the left side is const and cannot be changed: copy it into a variable of your own";
+  }
   if (name == "=" && mixesNumber) return "one side is a number, the other a vector";
   if (name == "^") return "^ is no power in C++: write x * x or std::pow(x, 2)";
   if (name == "<" || name == ">" || name == "<=" || name == ">=" || name == "==") {
@@ -124,6 +129,7 @@ std::string explainMessage(std::string_view message, const std::vector<std::stri
   if (has(message, "discards qualifiers") || has(message, "read-only") || has(message, "of reference to const")) {
     return "arguments that are const cannot be changed: copy them into a variable of your own";
   }
+  if (has(message, "a function-definition is not allowed here")) return "a { of the function above is never closed";
   if (has(message, "expected '}' at end of input")) return "a { above is never closed";
   if (has(message, "redefinition of")) return "it is written twice in the file: keep one";
   if (has(message, "ambiguating new declaration")) return "the contract gives this function another return type";

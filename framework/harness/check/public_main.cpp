@@ -15,7 +15,6 @@
 #include <gtest/gtest.h>
 #include <cstdio>
 #include <exception>
-#include <stdexcept>
 #include <string>
 
 namespace muelle {
@@ -57,7 +56,7 @@ class ReportingListener : public testing::EmptyTestEventListener {
     const std::size_t end = message.rfind("\" thrown in");
     if (!message.starts_with(before) || end == std::string::npos) return message;
     const std::string what = message.substr(before.size(), end - before.size());
-    if (what.starts_with(eigenPrefix)) return what.substr(eigenPrefix.size());
+    if (what == lastMisuse()) return what;
     const std::string& call = CallRecord::lastCall();
     return (call.empty() ? "an exception was thrown: " : call.substr(0, call.find('(')) + " threw an exception: ") +
            what;
@@ -65,8 +64,11 @@ class ReportingListener : public testing::EmptyTestEventListener {
 
  public:
   static void report(std::string_view kind, std::string_view text) { writeReport(reportLine(kind, text)); }
-  /// Marks the exceptions that eigenAssertionFailed() throws.
-  inline static const std::string eigenPrefix = "Eigen: ";
+  /// The text of the latest EigenMisuse: GoogleTest keeps only the text of an exception.
+  static std::string& lastMisuse() {
+    static std::string text;
+    return text;
+  }
 };
 
 int runTests(int argc, char** argv) {
@@ -86,9 +88,7 @@ int drawDemo(const std::string& folder) {
       ReportingListener::report("figure", figure.id() + ".svg");
     }
   } catch (const std::exception& error) {
-    std::string what = error.what();
-    if (what.starts_with(ReportingListener::eigenPrefix)) what = what.substr(ReportingListener::eigenPrefix.size());
-    ReportingListener::report("crash", what);
+    ReportingListener::report("crash", error.what());
     return 1;
   }
   return 0;
@@ -98,7 +98,8 @@ int drawDemo(const std::string& folder) {
 
 /// An exception, so that the other tests still run.
 void eigenAssertionFailed(const char* condition, const char* function, AssertedIndex index) {
-  throw std::logic_error(ReportingListener::eigenPrefix + eigenMessage(condition, function, index, place()));
+  ReportingListener::lastMisuse() = eigenMessage(condition, function, index, place());
+  throw EigenMisuse(ReportingListener::lastMisuse());
 }
 
 }  // namespace muelle

@@ -105,10 +105,9 @@ class Builder {
     for (const std::string& flag : diagnosticFlags()) command.push_back(flag);
     const std::string framework = (fs::path(build_paths::source) / "framework").string();
     for (const std::string& word :
-         {std::string("-I"), std::string(build_paths::prelude), std::string("-include"),
-          std::string("prelude.h"), std::string("-I"), framework, std::string("-isystem"),
-          std::string(build_paths::eigen), std::string("-I"), contract_.parent_path().string(), std::string("-c"),
-          source.string(), std::string("-o"), object}) {
+         {std::string("-I"), std::string(build_paths::prelude), std::string("-include"), std::string("prelude.h"),
+          std::string("-I"), framework, std::string("-isystem"), std::string(build_paths::eigen), std::string("-I"),
+          contract_.parent_path().string(), std::string("-c"), source.string(), std::string("-o"), object}) {
       command.push_back(word);
     }
     const ChildResult result = runChild({command, {}, compileSeconds, 1U << 20U});
