@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 #include <stdexcept>
 #include <system_error>
 
@@ -49,11 +49,11 @@ void writeFile(const fs::path& file, std::string_view text) {
 }
 
 std::string readFile(const fs::path& file) {
+  if (fs::is_directory(file)) fail("read", file, std::strerror(EISDIR));
   errno = 0;
-  const std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf())) fail("read", file, errno != 0 ? std::strerror(errno) : "it is empty");
-  return text.str();
+  std::ifstream in(file, std::ios::binary);
+  if (!in) fail("read", file, std::strerror(errno));
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
 TemporaryFolder::TemporaryFolder(const fs::path& parent) : path_(parent / temporaryName("work")) {

@@ -13,9 +13,9 @@ struct SimulationOptions {
   double h = 1e-3;        ///< step [s], positive
   double duration = 1.0;  ///< how long to simulate [s]; the last step is shortened to end there
   int outputEvery = 1;    ///< record every so many steps (the first and the last state always)
-  std::vector<Probe> probes;
+  std::vector<Probe> probes = {};
   double explosion = 1e6;  ///< stop when the kinetic energy exceeds this multiple of its natural scale (see simulate())
-  std::string label;       ///< shown with a progress bar on a terminal when the run is long; empty: no bar
+  std::string label = {};  ///< shown with a progress bar on a terminal when the run is long; empty: no bar
   /// Degrees of freedom a node (1, 2 or 3), to name nodes in a stop report. 0: 3 when the masses come in triples of
   /// equal numbers, otherwise 1.
   int dimension = 0;

@@ -32,8 +32,8 @@ class DirectFunction<Result(Args...)> {
 
 }  // namespace muelle
 
-#define MUELLE_DIRECT_FUNCTION_(function)                                                              \
-  namespace submission {                                                                               \
+#define MUELLE_DIRECT_FUNCTION_(function)                                                                     \
+  namespace submission {                                                                                      \
   [[maybe_unused]] constexpr ::muelle::DirectFunction<decltype(::function)> function(#function, &::function); \
   }
 #define MUELLE_FUNCTIONS(...) MUELLE_FOR_EACH(MUELLE_DIRECT_FUNCTION_, __VA_ARGS__)

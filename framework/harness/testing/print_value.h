@@ -33,6 +33,8 @@ template <DescribedStruct T>
 std::string printValue(const T& object);
 template <class Derived>
 std::string printValue(const Eigen::MatrixBase<Derived>& m);
+template <class Derived>
+std::string printValue(const Eigen::SparseMatrixBase<Derived>& m);
 
 namespace detail {
 
@@ -72,6 +74,12 @@ std::string printValue(const T& object) {
   return std::string(structName(&object)) + "{" + fields + "}";
 }
 
+/// The dense matrix and the call that makes it sparse again. Needs <Eigen/SparseCore> where it is used.
+template <class Derived>
+std::string printValue(const Eigen::SparseMatrixBase<Derived>& m) {
+  return printValue(MatX(m)) + ".sparseView()";
+}
+
 /// Vec3(1, 2, 3) up to three components, Vec9{{...}} and MatX{{...}, {...}} beyond.
 template <class Derived>
 std::string printValue(const Eigen::MatrixBase<Derived>& m) {
@@ -90,6 +98,7 @@ std::string printValue(const Eigen::MatrixBase<Derived>& m) {
     text += isVector ? rowText(row) : "{" + rowText(row) + "}";
   }
   const std::string name = detail::matrixName(Rows, Cols);
+  if (m.size() == 0) return name + (isVector ? "(0)" : "(" + printValue(m.rows()) + ", " + printValue(m.cols()) + ")");
   if (isShort) return name + "(" + text + ")";
   return isVector ? name + "{{" + text + "}}" : name + "{" + text + "}";
 }
