@@ -1,0 +1,85 @@
+#include "harness/demo.h"
+#include "triangle.h"
+
+// A triangle with unequal masses and springs is thrown into empty space. Nothing acts on it but its own springs.
+
+namespace {
+
+using muelle::In;
+using muelle::Out;
+
+const Vec3 m(0.4, 0.6, 0.5);      // [kg]
+const Vec3 k(60, 45, 80);         // [N/m], springs 01, 12, 20
+const Vec3 L0(1.0, 1.2, 0.9);     // [m]
+constexpr double duration = 2.0;  // [s]
+
+Vec9 stackedAt(In x) { return Eigen::Map<const Vec9>(x.data()); }
+
+muelle::Trajectory fly() {
+  const Mat9 M = submission::massMatrix(m);
+  std::vector<double> mass;
+  // The simulation needs positive masses: where the mass matrix has none yet, the given ones keep it going.
+  for (int i = 0; i < 9; ++i) mass.push_back(M(i, i) > 0 ? M(i, i) : m[i / 3]);
+  const muelle::FunctionSystem system(mass, [](double, In x, In, Out f) {
+    const Vec9 F = submission::triangleForce(stackedAt(x), k, L0);
+    std::copy(F.begin(), F.end(), f.begin());
+  });
+  const muelle::Probe elastic{"elastic energy", "J", [](const muelle::State& state) {
+                                return submission::triangleEnergy(stackedAt(state.x), k, L0);
+                              }};
+  const muelle::Probe kinetic = kineticEnergy(system);
+  muelle::State start;
+  start.x = {-0.6, -0.3, 0.0, 0.7, -0.4, 0.0, 0.1, 0.7, 0.0};
+  start.v = {0.9, -0.7, 0.2, 0.7, 1.0, -0.1, -0.5, 0.3, 0.3};
+  muelle::SymplecticEuler method;
+  muelle::SimulationOptions options;
+  options.h = 1e-3;
+  options.duration = duration;
+  options.outputEvery = 4;
+  options.probes = {kinetic, elastic, sum("total energy", {kinetic, elastic})};
+  for (int axis = 0; axis < 3; ++axis) {
+    options.probes.push_back(linearMomentum(system, axis));
+    options.probes.push_back(angularMomentum(system, axis));
+  }
+  return simulate(system, method, start, options);
+}
+
+/// The tracks of the momentum along x, y, z, in the order in which fly() asks for them.
+const std::vector<double>& momentum(const muelle::Trajectory& run, bool angular, std::size_t axis) {
+  return run.tracks.at(3 + 2 * axis + (angular ? 1 : 0)).values;
+}
+
+muelle::Figure energies(const muelle::Trajectory& run) {
+  muelle::Figure figure("energy", "Free flight: energy goes to and fro, its sum stays", "time [s]");
+  figure.panel("energy [J]")
+      .line("kinetic", run.t, run.track("kinetic energy"))
+      .line("elastic", run.t, run.track("elastic energy"))
+      .line("total", run.t, run.track("total energy"));
+  return figure;
+}
+
+muelle::Figure momenta(const muelle::Trajectory& run) {
+  muelle::Figure figure("momenta", "Free flight: both momenta stay", "time [s]");
+  const char* names[] = {"x", "y", "z"};
+  auto linear = figure.panel("linear [kg m/s]");
+  for (std::size_t axis = 0; axis < 3; ++axis) linear.line(names[axis], run.t, momentum(run, false, axis));
+  auto angular = figure.panel("angular [kg m^2/s]");
+  for (std::size_t axis = 0; axis < 3; ++axis) angular.line(names[axis], run.t, momentum(run, true, axis));
+  return figure;
+}
+
+muelle::Figure paths(const muelle::Trajectory& run) {
+  muelle::Figure figure("paths", "The nodes turn about a centre that flies straight", "x [m]");
+  figure.equalAxes();
+  auto panel = figure.panel("y [m]");
+  const char* names[] = {"node 0", "node 1", "node 2"};
+  for (int node = 0; node < 3; ++node) panel.line(names[node], run.position(3 * node), run.position(3 * node + 1));
+  return figure;
+}
+
+}  // namespace
+
+MUELLE_DEMO {
+  const muelle::Trajectory run = fly();
+  return {energies(run), momenta(run), paths(run)};
+}
