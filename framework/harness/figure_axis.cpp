@@ -26,9 +26,9 @@ AxisRange AxisFitter::range(double margin) const {
   }
   if (empty_) return {0.0, 1.0};
   const double size = std::max(std::abs(seen_.low), std::abs(seen_.high));
+  // Round-off: no quantity of the course is that small.
   if (size < 1e-12) return {-1.0, 1.0};
-  if (seen_.span() < 1e-9 * size || seen_.span() < 1e-12)
-    return {seen_.middle() - 0.1 * size, seen_.middle() + 0.1 * size};
+  if (seen_.span() < 1e-9 * size) return {seen_.middle() - 0.1 * size, seen_.middle() + 0.1 * size};
   return widened(seen_, (1.0 + 2.0 * margin) * seen_.span());
 }
 

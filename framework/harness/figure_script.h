@@ -11,7 +11,7 @@ struct FigureText {
   std::string script;  ///< id.gp: reads id.dat, writes id.svg
 };
 
-/// Data and script of a figure. Long curves are thinned for the eye: see the source for how.
+/// Data and script of a figure, whose texts are plain already. Long curves are thinned: see dataBlock().
 FigureText figureText(const Figure& figure);
 
 }  // namespace muelle

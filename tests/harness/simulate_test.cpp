@@ -127,8 +127,8 @@ TEST(SimulateSteps, ShortensTheLastOne) {
 }
 
 TEST(SimulateSteps, MakesNoStepOutOfRounding) {
-  // 1.1 / 0.1 and 0.6 / 0.2 round to either side of a whole number.
-  EXPECT_EQ(run(oscillator(1.0), {0.0, {1.0}, {0.0}, {}}, {.h = 0.1, .duration = 1.1}).t.size(), 12u);
+  // 0.07 / 0.01 rounds to just above 7, 0.6 / 0.2 to just below 3.
+  EXPECT_EQ(run(oscillator(1.0), {0.0, {1.0}, {0.0}, {}}, {.h = 0.01, .duration = 0.07}).t.size(), 8u);
   EXPECT_EQ(run(oscillator(1.0), {0.0, {1.0}, {0.0}, {}}, {.h = 0.2, .duration = 0.6}).t.size(), 4u);
 }
 
