@@ -38,8 +38,8 @@ struct Panel {
 /// alphabet (std::invalid_argument otherwise) before gnuplot reads them: letters, digits, blank and
 /// .,:;()[]/+-*=^_<>|%!?' where ^2 and ^3 become superscripts and -> an arrow. Numbers that are not finite or beyond
 /// 1e100 are gaps in a curve, as are those below or at zero on a logarithmic axis; a curve with no point left says "no
-/// data". A linear axis never shows round-off: values that differ by less than 1e-9 of their size, or by less than
-/// 1e-12, are drawn as a constant.
+/// data". A linear axis never shows round-off: values that differ by less than 1e-9 of their size, or are all
+/// below 1e-12, look constant.
 class Figure {
  public:
   /// Adds curves to one panel; stays valid while the figure stays where it is. Throws std::invalid_argument when x and
