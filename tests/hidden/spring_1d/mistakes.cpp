@@ -95,8 +95,10 @@ namespace {
 using ForceRegistration = muelle::grader::MistakeRegistration<decltype(::springForceOnA)>;
 
 /// What a student's guard against L = 0 may compare with or add; each spoils other calls of the test of short springs.
-constexpr double smallNumbers[] = {1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8,    1e-9,  1e-10, 1e-11,
-                                   1e-12, 1e-13, 1e-14, 1e-15, 1e-16, 1e-20, 2.3e-16, 1e-30, 1e-50};
+constexpr double smallNumbers[] = {
+    1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8,  1e-9,
+    1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16, std::numeric_limits<double>::epsilon(),
+    1e-17, 1e-18, 1e-20, 1e-30, 1e-40, 1e-50};
 
 double forceWithThreshold(double threshold, double xa, double xb, double k, double L0) {
   return std::abs(xa - xb) < threshold ? 0.0 : oracle::springForceOnA(xa, xb, k, L0);

@@ -1,0 +1,19 @@
+// loses: Direction, ElasticPendulum, Equivariance, HookeForce, NodeAcceleration, ShortSpring, ThirdLaw, ZeroLength; misconception: not_normalised
+#include "spring_3d.h"
+
+double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {
+  const double L = (xa - xb).norm();
+  return -k * (L - L0);
+}
+
+Vec3 springDirection(const Vec3& xa, const Vec3& xb) { return xa - xb; }
+
+Vec3 springForce(const Vec3& xa, const Vec3& xb, double k, double L0) {
+  return springForceMagnitude(xa, xb, k, L0) * springDirection(xa, xb);
+}
+
+Vec3 nodeAcceleration(const Vec3& x, double m, const std::vector<Attachment>& springs, double g) {
+  Vec3 force = Vec3(0, 0, -m * g);
+  for (const Attachment& spring : springs) force += springForce(x, spring.x, spring.k, spring.L0);
+  return force / m;
+}
