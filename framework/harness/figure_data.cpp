@@ -105,7 +105,7 @@ std::string dataBlock(const Series& series, bool logX, bool logY) {
   std::string text;
   const auto out = std::back_inserter(text);
   for (const Point& point : points) {
-    if (!point.isGap()) fmt::format_to(out, "{:.10g} {:.10g}", point.x, point.y);
+    if (!point.isGap()) fmt::format_to(out, "{:.12g} {:.12g}", point.x, point.y);
     text += '\n';
   }
   return text;

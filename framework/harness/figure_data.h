@@ -5,7 +5,7 @@
 
 namespace muelle {
 
-/// The lines "x y" of a curve with ten digits; what cannot be drawn becomes one blank line, a gap for gnuplot.
+/// The lines "x y" of a curve with twelve digits; what cannot be drawn becomes one blank line, a gap for gnuplot.
 /// A curve of more than 4000 points is thinned to what a screen can show: where x never falls, the first, lowest,
 /// highest and last point of each of 800 equal stretches of x; on any other path, the points that lie apart by more
 /// than 1/2000 of its extent. Empty when no point can be drawn.

@@ -213,7 +213,7 @@ class ScriptWriter {
     put("set grid xtics ytics back lt 1 lc rgb '#e4e4e4' lw 1");
     put("set tics nomirror out scale 0.6 textcolor rgb '#333333'");
     put("set xtics offset 0,0.3");
-    put("set format '%.8g'");
+    put("set format '%.10g'");
     if (figure_.hasLogX()) put("set logscale x");
     put("set multiplot");
     put("unset key");
@@ -246,10 +246,10 @@ class ScriptWriter {
     if (!isFirst) put("unset label; unset arrow");
     put("set lmargin at screen {}; set rmargin at screen {}", canvas_.x(box.left), canvas_.x(box.right));
     put("set tmargin at screen {}; set bmargin at screen {}", canvas_.y(box.top), canvas_.y(box.bottom));
-    put("set xrange [{:.10g}:{:.10g}]", plan.x.low, plan.x.high);
-    put("set yrange [{:.10g}:{:.10g}]", plan.y.low, plan.y.high);
-    put("{}", plan.panel->logY ? "set logscale y; set format y '10^{%T}'" : "unset logscale y; set format y '%.8g'");
-    const char* xFormat = figure_.hasLogX() ? "10^{%T}" : "%.8g";
+    put("set xrange [{:.15g}:{:.15g}]", plan.x.low, plan.x.high);
+    put("set yrange [{:.15g}:{:.15g}]", plan.y.low, plan.y.high);
+    put("{}", plan.panel->logY ? "set logscale y; set format y '10^{%T}'" : "unset logscale y; set format y '%.10g'");
+    const char* xFormat = figure_.hasLogX() ? "10^{%T}" : "%.10g";
     put("set format x '{}'", isLast ? xFormat : "");
     if (isLast) putText(figure_.xLabel(), 0.5 * (box.left + box.right), box.bottom + 54, "center");
     const double firstRow = box.top - headerFoot - rowHeight * (static_cast<double>(plan.key.size()) - 0.5);
@@ -270,6 +270,7 @@ class ScriptWriter {
   void writeKeyRow(const std::vector<Curve>& row, double y) {
     double x = plotRight + entryGap;
     for (const Curve& curve : row) x -= curve.widthInKey() + entryGap;
+    x = std::max(x, plotLeft - labelIndent);  // a name wider than the canvas shows its beginning
     for (const Curve& curve : row) {
       if (curve.asPoints) {
         put("set label '' at screen {},{} point ls {}", canvas_.x(x + 0.5 * sampleLength), canvas_.y(y), curve.style);

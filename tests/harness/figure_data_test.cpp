@@ -14,7 +14,7 @@ std::string block(std::vector<double> x, std::vector<double> y, bool logY = fals
 std::ptrdiff_t lineCount(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
 TEST(DataBlock, HasALineForEachPoint) {
-  EXPECT_EQ(block({0, 0.5, 1}, {1, 2, 1.0 / 3.0}), "0 1\n0.5 2\n1 0.3333333333\n");
+  EXPECT_EQ(block({0, 0.5, 1}, {1, 2, 1.0 / 3.0}), "0 1\n0.5 2\n1 0.333333333333\n");
 }
 
 TEST(DataBlock, MakesOneGapOfWhatCannotBeDrawn) {
