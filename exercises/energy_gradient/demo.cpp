@@ -27,7 +27,7 @@ muelle::Figure stretch() {
   const Vec3 along = Vec3(2, 1, 2) / 3;  // a unit vector
   std::vector<double> length, stored, force;
   for (int i = 0; i <= 110; ++i) {
-    const double L = 0.01 * i;
+    const double L = i == 0 ? 1e-9 : 0.01 * i;  // at L = 0 itself there is no direction
     length.push_back(L);
     stored.push_back(energy(L * along));
     force.push_back(along.dot(Vec3(submission::springForces(withA(L * along), k, L0).head<3>())));
@@ -46,10 +46,10 @@ muelle::Figure stretch() {
   return figure;
 }
 
-/// The rounded path of a, at a time in [0, 1]: out to a stretched spring, across, and back.
+/// The rounded path of a, at a time in [0, 1] s: from the rest length out to a stretched spring, across, and back.
 Vec3 onLoop(double t) {
   const double angle = 2 * M_PI * t;
-  return {0.8 - 0.35 * std::cos(angle), 0.3 * std::sin(angle), 0.15 * std::sin(2 * angle)};
+  return {0.85 - 0.35 * std::cos(angle), 0.3 * std::sin(angle), 0.15 * std::sin(2 * angle)};
 }
 
 muelle::Figure cycle() {

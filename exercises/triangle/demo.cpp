@@ -10,7 +10,7 @@ using muelle::Out;
 
 const Vec3 m(0.4, 0.6, 0.5);      // [kg]
 const Vec3 k(60, 45, 80);         // [N/m], springs 01, 12, 20
-const Vec3 L0(1.0, 1.2, 0.9);     // [m]
+const Vec3 L0(1.1, 1.2, 1.0);     // [m]
 constexpr double duration = 2.0;  // [s]
 
 Vec9 stackedAt(In x) { return Eigen::Map<const Vec9>(x.data()); }
@@ -30,13 +30,13 @@ muelle::Trajectory fly() {
   const muelle::Probe kinetic = kineticEnergy(system);
   muelle::State start;
   start.x = {-0.6, -0.3, 0.0, 0.7, -0.4, 0.0, 0.1, 0.7, 0.0};
-  start.v = {0.9, -0.7, 0.2, 0.7, 1.0, -0.1, -0.5, 0.3, 0.3};
+  start.v = {1.9, -1.6, 0.2, 2.2, 2.3, -0.1, -1.1, 0.5, 0.3};  // 3 rad/s about z, and a drift
   muelle::SymplecticEuler method;
   muelle::SimulationOptions options;
   options.h = 1e-3;
   options.duration = duration;
   options.outputEvery = 4;
-  options.probes = {kinetic, elastic, sum("total energy", {kinetic, elastic})};
+  options.probes = {kinetic, elastic, muelle::sum("total energy", {kinetic, elastic})};
   for (int axis = 0; axis < 3; ++axis) {
     options.probes.push_back(linearMomentum(system, axis));
     options.probes.push_back(angularMomentum(system, axis));
@@ -68,12 +68,23 @@ muelle::Figure momenta(const muelle::Trajectory& run) {
   return figure;
 }
 
+/// One coordinate of the centre of mass over time.
+std::vector<double> centre(const muelle::Trajectory& run, int axis) {
+  std::vector<double> values(run.t.size(), 0.0);
+  for (int node = 0; node < 3; ++node) {
+    const std::vector<double> x = run.position(3 * node + axis);
+    for (std::size_t i = 0; i < x.size(); ++i) values[i] += m[node] / m.sum() * x[i];
+  }
+  return values;
+}
+
 muelle::Figure paths(const muelle::Trajectory& run) {
   muelle::Figure figure("paths", "The nodes turn about a centre that flies straight", "x [m]");
   figure.equalAxes();
   auto panel = figure.panel("y [m]");
   const char* names[] = {"node 0", "node 1", "node 2"};
   for (int node = 0; node < 3; ++node) panel.line(names[node], run.position(3 * node), run.position(3 * node + 1));
+  panel.line("centre of mass", centre(run, 0), centre(run, 1));
   return figure;
 }
 
