@@ -51,8 +51,9 @@ class Builder {
     parts_ = folders.build / "check" / (topic_ + ".rsp");
     if (!fs::exists(parts_)) {
       throw std::runtime_error(
-          fmt::format("{} is missing: the build has not made the parts of {}; type ./muelle check {}", parts_.string(),
-                      topic_, topic_));
+          fmt::format("{} is not in the build ({} was not made): its folder lacks a file, which CMake names when it "
+                      "configures",
+                      topic_, parts_.filename().string()));
     }
     // A file elsewhere (--file) has a slot of its own, so that it does not push out the student's.
     const std::size_t place = std::hash<std::string>{}(fs::absolute(sources_.front().parent_path()).string());
