@@ -45,6 +45,7 @@ TEST(ExpectVector, RefusesAnotherSize) {
   EXPECT_FALSE(matrixNear("", "", "", VecX(), VecX::Zero(3), inf));
   EXPECT_FALSE(matrixNear("", "", "", MatX::Zero(1, 3), VecX::Zero(3), inf));
   EXPECT_FALSE(matrixNear("", "", "", MatX::Zero(2, 3), MatX::Zero(3, 2), inf));
+  EXPECT_FALSE(matrixNear("", "", "", MatX::Zero(2, 3), MatX::Zero(2, 2), inf));
   EXPECT_TRUE(matrixNear("", "", "", VecX(), VecX(), 0.0));
   EXPECT_EQ(vectorMessage(VecX::Zero(2), VecX::Zero(3), 1.0), "F: got 2 components, expected 3 components");
   EXPECT_EQ(vectorMessage(MatX::Zero(2, 3), MatX::Zero(3, 3), 1.0), "F: got 2 x 3 entries, expected 3 x 3 entries");
