@@ -12,9 +12,13 @@ namespace muelle {
 long allocationCount() { return allocations; }
 }  // namespace muelle
 
-void* operator new(std::size_t size) {
+// The form that does not throw belongs to the same family: delete frees what either has allocated.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  return std::malloc(size == 0 ? 1 : size);
+}
+void* operator new(std::size_t size) {
+  if (void* memory = operator new(size, std::nothrow)) return memory;
   throw std::bad_alloc();
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
