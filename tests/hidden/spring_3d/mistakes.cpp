@@ -14,12 +14,17 @@ const double notANumber = std::numeric_limits<double>::quiet_NaN();
 
 // springForceMagnitude
 
-MUELLE_MISTAKE(springForceMagnitude, magnitude_reversed, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
+MUELLE_MISTAKE(springForceMagnitude, wrong_sign, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
   return -oracle::springForceMagnitude(xa, xb, k, L0);
 });
-MUELLE_MISTAKE(springForceMagnitude, unsigned_magnitude, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
+MUELLE_MISTAKE(springForceMagnitude, unsigned_deformation, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
   return std::abs(oracle::springForceMagnitude(xa, xb, k, L0));
 });
+namespace attracting {
+MUELLE_MISTAKE(springForceMagnitude, unsigned_deformation, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
+  return -std::abs(oracle::springForceMagnitude(xa, xb, k, L0));
+});
+}
 MUELLE_MISTAKE(springForceMagnitude, missing_rest_length,
                [](const Vec3& xa, const Vec3& xb, double k, double) { return -k * lengthOf(xa, xb); });
 MUELLE_MISTAKE(springForceMagnitude, squared_length, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
@@ -37,7 +42,7 @@ MUELLE_MISTAKE(springForceMagnitude, missing_stiffness, [](const Vec3& xa, const
 
 // springDirection
 
-MUELLE_MISTAKE(springDirection, direction_reversed,
+MUELLE_MISTAKE(springDirection, wrong_sign,
                [](const Vec3& xa, const Vec3& xb) { return oracle::springDirection(xb, xa); });
 MUELLE_MISTAKE(springDirection, not_normalised, [](const Vec3& xa, const Vec3& xb) { return Vec3(xa - xb); });
 MUELLE_MISTAKE(springDirection, squared_length, [](const Vec3& xa, const Vec3& xb) {
@@ -122,8 +127,10 @@ namespace magnitude {
 SPRING_MISTAKE(squared_length, squaredLengthInMagnitude);
 }
 SPRING_MISTAKE(each_axis_alone, eachAxisAlone);
-SPRING_MISTAKE(always_attracts, alwaysAttracts);
-SPRING_MISTAKE(always_repels, alwaysRepels);
+SPRING_MISTAKE(unsigned_deformation, alwaysRepels);
+namespace attracting {
+SPRING_MISTAKE(unsigned_deformation, alwaysAttracts);
+}
 SPRING_MISTAKE(relative_deformation, relativeDeformation);
 SPRING_MISTAKE(missing_stiffness, missingStiffness);
 SPRING_MISTAKE(halved, halved);

@@ -1,4 +1,4 @@
-// loses: TODO; misconception: threshold
+// loses: ShortSpring; misconception: threshold
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {
