@@ -68,8 +68,8 @@ TEST(EigenMessage, SaysThatAProductDoesNotFit) {
 TEST(EigenMessage, SaysThatABlockIsOutside) {
   VecX v = VecX::Zero(6);
   const std::string message = "block, segment, row or column outside of the vector or matrix in springForce";
-  EXPECT_EQ(said([&] { Vec3 s = v.segment<3>(4); }), message);
-  EXPECT_EQ(said([&] { VecX s = v.segment(4, 3); }), message);
+  EXPECT_EQ(said([&] { sink = v.segment<3>(4).sum(); }), message);
+  EXPECT_EQ(said([&] { sink = v.segment(4, 3).sum(); }), message);
 }
 
 TEST(EigenMessage, CountsWhatFollowsACommaInitializer) {
@@ -78,10 +78,9 @@ TEST(EigenMessage, CountsWhatFollowsACommaInitializer) {
               v << 1, 2, 3;
             }),
             "too many numbers after << for the size of the vector or matrix in springForce");
-  EXPECT_EQ(said([] {
-              VecX v(2);
-              (v << 1).finished();
-            }),
+  // Eigen asserts this one in a destructor, where a test cannot catch it.
+  EXPECT_EQ(eigenMessage("m_col == m_xpr.cols() && \"Too few coefficients passed to comma initializer (operator<<)\"",
+                         "Eigen::CommaInitializer<MatrixType>::finished()", {}, "springForce"),
             "too few numbers after << for the size of the vector or matrix in springForce");
 }
 

@@ -37,7 +37,12 @@ class Check : public testing::Test {
 
   TemporaryFolder folder_{std::filesystem::path(build_paths::binary) / "test"};
   CheckFolders folders_{MUELLE_FIXTURE_EXERCISES, MUELLE_FIXTURE_BUILD, folder_.path() / "out"};
-  Manifest manifest_{.topic = "fixture_spring", .files = {"fixture_spring.cpp"}};
+  Manifest manifest_ = [] {
+    Manifest manifest;
+    manifest.topic = "fixture_spring";
+    manifest.files = {"fixture_spring.cpp"};
+    return manifest;
+  }();
 };
 
 TEST_F(Check, ARightFilePassesAndLeavesItsCurve) {
