@@ -52,14 +52,15 @@ class ReportingListener : public testing::EmptyTestEventListener {
 
   /// GoogleTest wraps an exception's text in words about itself.
   static std::string withoutExceptionPhrase(const std::string& message) {
+    const std::string& call = CallRecord::lastCall();
+    const std::string function = call.empty() ? "the test" : call.substr(0, call.find('('));
+    if (message.starts_with("Unknown C++ exception")) return function + " threw something that is no std::exception";
     const std::string before = "C++ exception with description \"";
     const std::size_t end = message.rfind("\" thrown in");
     if (!message.starts_with(before) || end == std::string::npos) return message;
     const std::string what = message.substr(before.size(), end - before.size());
     if (what == lastMisuse()) return what;
-    const std::string& call = CallRecord::lastCall();
-    return (call.empty() ? "an exception was thrown: " : call.substr(0, call.find('(')) + " threw an exception: ") +
-           what;
+    return function + " threw an exception: " + what;
   }
 
  public:
@@ -98,7 +99,10 @@ int drawDemo(const std::string& folder) {
 
 /// An exception, so that the other tests still run.
 void eigenAssertionFailed(const char* condition, const char* function, AssertedIndex index) {
-  ReportingListener::lastMisuse() = eigenMessage(condition, function, index, place());
+  // While an exception is on its way, destructors of Eigen assert what they then find; the first cause is what counts.
+  if (std::uncaught_exceptions() == 0) {
+    ReportingListener::lastMisuse() = eigenMessage(condition, function, index, place());
+  }
   throw EigenMisuse(ReportingListener::lastMisuse());
 }
 

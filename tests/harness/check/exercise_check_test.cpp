@@ -107,7 +107,9 @@ TEST_F(Check, ABadPointerAnExceptionAndAnExitAreNamed) {
   const std::string head = "double entry(const std::vector<double>&, int) { ";
   EXPECT_EQ(firstMessage(twice + head + "volatile double* p = nullptr; return *p; }\n"),
             "entry used memory that is not its own: an index or a pointer is wrong");
-  EXPECT_EQ(firstMessage(twice + head + "throw 3; }\n").substr(0, 5), "entry");
+  EXPECT_EQ(firstMessage(twice + head + "throw 3; }\n"), "entry threw something that is no std::exception");
+  EXPECT_EQ(firstMessage(twice + head + "throw std::runtime_error(\"not yet\"); }\n"),
+            "entry threw an exception: not yet");
   EXPECT_EQ(firstMessage(twice + head + "std::exit(0); }\n"), "entry called exit(): a function must return");
 }
 
