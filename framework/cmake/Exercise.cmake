@@ -42,6 +42,7 @@ $<TARGET_FILE:muelle_harness>
 $<TARGET_FILE:GTest::gtest>
 $<TARGET_FILE:fmt::fmt>
 -pthread
+${MUELLE_SANITIZER_LINK_FLAG}
 ")
 endfunction()
 
@@ -53,7 +54,7 @@ function(muelle_grading_parts topic)
 
   add_library(glue_${topic} STATIC ${CMAKE_SOURCE_DIR}/framework/grader/worker/glue.cpp
                                    ${CMAKE_SOURCE_DIR}/framework/grader/wire/codec.cpp)
-  target_link_libraries(glue_${topic} PRIVATE muelle_flags Eigen3::Eigen)
+  target_link_libraries(glue_${topic} PRIVATE muelle_plain_flags Eigen3::Eigen)
   target_include_directories(glue_${topic} PRIVATE ${folder})
   target_compile_definitions(glue_${topic} PRIVATE MUELLE_CONTRACT="${topic}.h"
                              MUELLE_FUNCTIONS_HEADER="grader/worker/dispatch_functions.h")

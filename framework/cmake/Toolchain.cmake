@@ -13,10 +13,17 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O2")
 
 option(MUELLE_ASAN "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 
+# For all of our code; muelle_flags adds the sanitizers, which the worker cannot have: they want an address space without
+# a limit and system calls that its filter refuses.
+add_library(muelle_plain_flags INTERFACE)
+target_include_directories(muelle_plain_flags INTERFACE ${CMAKE_SOURCE_DIR}/framework)
+target_compile_options(muelle_plain_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
+
 add_library(muelle_flags INTERFACE)
-target_include_directories(muelle_flags INTERFACE ${CMAKE_SOURCE_DIR}/framework)
-target_compile_options(muelle_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
+target_link_libraries(muelle_flags INTERFACE muelle_plain_flags)
+set(MUELLE_SANITIZER_LINK_FLAG "")
 if(MUELLE_ASAN)
+  set(MUELLE_SANITIZER_LINK_FLAG "-fsanitize=address,undefined")
   target_compile_options(muelle_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -g1
                                                 -fno-omit-frame-pointer)
   target_link_options(muelle_flags INTERFACE -fsanitize=address,undefined)
