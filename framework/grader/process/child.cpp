@@ -1,16 +1,16 @@
 #include "grader/process/child.h"
 
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <fcntl.h>
-#include <poll.h>
 #include <stdexcept>
-#include <sys/resource.h>
-#include <sys/syscall.h>
-#include <sys/wait.h>
 #include <system_error>
 #include <thread>
 
@@ -19,6 +19,8 @@ namespace muelle::grader {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr int parking = 200;  // a child's descriptors wait from here on until the lower ones are closed
 
 std::vector<char*> pointers(const std::vector<std::string>& texts) {
   std::vector<char*> result;
@@ -40,16 +42,12 @@ void closeFrom(unsigned first, unsigned last) {
 /// After fork only calls that are safe in a signal handler: other threads may hold any lock.
 [[noreturn]] void becomeChild(const ChildSpec& spec, char** arguments, char** environment,
                               const std::pair<int, int>* descriptors, std::size_t count, int errorPipe) {
-  setpgid(0, 0);
-  constexpr int parking = 200;  // above every number that a child is given
+  setsid();  // a group of its own, and no terminal
   for (std::size_t i = 0; i < count; ++i) dup2(descriptors[i].second, parking + static_cast<int>(i));
   const int error = fcntl(errorPipe, F_DUPFD, parking + static_cast<int>(count));
-  int highest = 2;
-  for (std::size_t i = 0; i < count; ++i) {
-    dup2(parking + static_cast<int>(i), descriptors[i].first);
-    highest = std::max(highest, descriptors[i].first);
-  }
-  closeFrom(static_cast<unsigned>(highest) + 1, static_cast<unsigned>(error) - 1);
+  closeFrom(0, static_cast<unsigned>(parking) - 1);  // ours, and whatever we have inherited ourselves
+  for (std::size_t i = 0; i < count; ++i) dup2(parking + static_cast<int>(i), descriptors[i].first);
+  closeFrom(static_cast<unsigned>(parking), static_cast<unsigned>(error) - 1);
   closeFrom(static_cast<unsigned>(error) + 1, ~0U);
   fcntl(error, F_SETFD, FD_CLOEXEC);
   limit(RLIMIT_AS, spec.limits.addressSpace);
@@ -61,6 +59,7 @@ void closeFrom(unsigned first, unsigned last) {
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
+  signal(SIGPIPE, SIG_DFL);  // an ignored signal would stay ignored
   if (spec.workingDirectory.empty() || chdir(spec.workingDirectory.c_str()) == 0) {
     execve(arguments[0], arguments, environment);
   }
@@ -91,6 +90,9 @@ Child::Child(const ChildSpec& spec) {
   for (const int standard : {0, 1, 2}) {
     if (!spec.descriptors.contains(standard)) descriptors.emplace_back(standard, null.get());
   }
+  for (const auto& [inside, ours] : descriptors) {
+    if (inside >= parking) throw std::runtime_error("too many descriptors for " + spec.command.front());
+  }
   Pipe error = makePipe();
   pid_ = fork();
   if (pid_ < 0) throw std::system_error(errno, std::generic_category(), "starting " + spec.command.front());
@@ -98,7 +100,6 @@ Child::Child(const ChildSpec& spec) {
     becomeChild(spec, const_cast<char**>(arguments.data()), const_cast<char**>(environment.data()), descriptors.data(),
                 descriptors.size(), error.write.get());
   }
-  setpgid(pid_, pid_);
   error.write.reset();
   int reason = 0;
   if (read(error.read.get(), &reason, sizeof reason) == sizeof reason) {
@@ -106,6 +107,8 @@ Child::Child(const ChildSpec& spec) {
     throw std::runtime_error("cannot start " + spec.command.front() + ": " + std::strerror(reason));
   }
 }
+
+void ignoreClosedPipes() { signal(SIGPIPE, SIG_IGN); }
 
 Child::Child(Child&& other) noexcept : pid_(std::exchange(other.pid_, -1)), companion_(std::move(other.companion_)) {}
 

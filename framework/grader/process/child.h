@@ -1,13 +1,13 @@
 #pragma once
 #include "grader/process/descriptor.h"
 
+#include <sys/types.h>
 #include <chrono>
 #include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <sys/types.h>
 #include <vector>
 
 namespace muelle::grader {
@@ -17,16 +17,16 @@ struct ResourceLimits {
   std::size_t addressSpace = 0;  ///< [bytes]
   std::size_t fileSize = 0;      ///< [bytes]
   unsigned cpuSeconds = 0;
-  unsigned processes = 0;        ///< of the child's user id, threads included
+  unsigned processes = 0;  ///< of the child's user id, threads included
 };
 
 /// A program to start.
 struct ChildSpec {
-  std::vector<std::string> command;        ///< absolute path and arguments; no shell
-  std::map<int, int> descriptors;          ///< number in the child -> ours; every other descriptor is closed
-  std::vector<std::string> environment;    ///< "NAME=value"; nothing is inherited
+  std::vector<std::string> command;      ///< absolute path and arguments; no shell
+  std::map<int, int> descriptors;        ///< number in the child -> ours; every other descriptor is closed
+  std::vector<std::string> environment;  ///< "NAME=value"; nothing is inherited
   ResourceLimits limits;
-  std::string workingDirectory;            ///< empty: ours
+  std::string workingDirectory;  ///< empty: ours
 };
 
 /// How a child ended.
@@ -35,7 +35,7 @@ struct ExitStatus {
   int code = 0;  ///< exit status, or the signal
 };
 
-/// A running child in a process group of its own, killed with its owner.
+/// A running child in a session and process group of its own, killed with its owner.
 class Child {
  public:
   Child() = default;
@@ -59,6 +59,9 @@ class Child {
   pid_t pid_ = -1;
   std::shared_ptr<void> companion_;
 };
+
+/// Lets this process survive a write to a pipe whose reader has died: write() fails with EPIPE instead.
+void ignoreClosedPipes();
 
 /// What a finished command left.
 struct CommandResult {

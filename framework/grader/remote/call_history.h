@@ -17,10 +17,13 @@ class CallHistoryBase {
 
   /// The mistake that explains every answer, or "".
   ///
-  /// A hypothesis explains the submission when it gives the submission's numbers on all calls, right and wrong ones, and
-  /// at least `fewestWrong` of them are wrong. Two hypotheses that explain everything and differ from each other nowhere
-  /// are one mistake under two names: the first registered is taken.
+  /// A hypothesis explains the submission when it gives the submission's numbers on all calls, right and wrong ones,
+  /// and at least `fewestWrong` of them are wrong. Two hypotheses that explain everything and differ from each other
+  /// nowhere are one mistake under two names: the first registered is taken.
   virtual std::string diagnosis() const = 0;
+
+  /// Ids of the mistakes that it knows.
+  virtual std::vector<std::string> mistakes() const = 0;
 
   static constexpr int fewestWrong = 3;
   static constexpr std::size_t mostCalls = 4096;
@@ -55,6 +58,12 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
 
   void setOracle(Hypothesis oracle) { oracle_ = std::move(oracle); }
   void addMistake(std::string id, Hypothesis mistake) { mistakes_.emplace_back(std::move(id), std::move(mistake)); }
+
+  std::vector<std::string> mistakes() const override {
+    std::vector<std::string> ids;
+    for (const auto& [id, mistake] : mistakes_) ids.push_back(id);
+    return ids;
+  }
 
   std::string diagnosis() const override {
     if (!oracle_ || calls_.empty()) return "";

@@ -24,6 +24,6 @@ struct MistakeRegistration {
 
 }  // namespace muelle::grader
 
-#define MUELLE_MISTAKE(function, id, ...)                                                              \
-  [[maybe_unused]] static const ::muelle::grader::MistakeRegistration<decltype(::function)>            \
-      mistake_##function##_##id(#function, #id, &::oracle::function, __VA_ARGS__)
+#define MUELLE_MISTAKE(function, id, ...)                                                                              \
+  [[maybe_unused]] static const ::muelle::grader::MistakeRegistration<decltype(::function)> mistake_##function##_##id( \
+      #function, #id, &::oracle::function, __VA_ARGS__)

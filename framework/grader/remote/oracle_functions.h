@@ -5,11 +5,11 @@
 #include "harness/for_each.h"
 #include "harness/testing/struct_fields.h"
 
-#define MUELLE_ORACLE_FUNCTION_(function)                                            \
-  namespace oracle {                                                                 \
-  decltype(::function) function;                                                     \
-  }                                                                                  \
-  namespace submission {                                                             \
+#define MUELLE_ORACLE_FUNCTION_(function)                                                  \
+  namespace oracle {                                                                       \
+  decltype(::function) function;                                                           \
+  }                                                                                        \
+  namespace submission {                                                                   \
   [[maybe_unused]] constexpr decltype(::oracle::function)* function = &::oracle::function; \
   }
 #define MUELLE_FUNCTIONS(...) MUELLE_FOR_EACH(MUELLE_ORACLE_FUNCTION_, __VA_ARGS__)

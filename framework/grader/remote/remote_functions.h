@@ -95,11 +95,11 @@ class RemoteFunction<Result(Args...)> {
 
 }  // namespace muelle::grader
 
-#define MUELLE_REMOTE_FUNCTION_(function)                                                           \
-  namespace oracle {                                                                                \
-  decltype(::function) function;                                                                    \
-  }                                                                                                 \
-  namespace submission {                                                                            \
+#define MUELLE_REMOTE_FUNCTION_(function)                                                                \
+  namespace oracle {                                                                                     \
+  decltype(::function) function;                                                                         \
+  }                                                                                                      \
+  namespace submission {                                                                                 \
   [[maybe_unused]] constexpr ::muelle::grader::RemoteFunction<decltype(::function)> function(#function); \
   }
 #define MUELLE_FUNCTIONS(...) MUELLE_FOR_EACH(MUELLE_REMOTE_FUNCTION_, __VA_ARGS__)

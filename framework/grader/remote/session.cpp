@@ -39,14 +39,6 @@ std::string refusal(const wire::Frame& frame, const std::string& function) {
   return eigenMessage(condition, where, asserted, function);
 }
 
-std::string death(const std::string& cause) {
-  if (cause == "stack overflow") return "ran out of stack: does it call itself without end, or hold a huge local array?";
-  if (cause == "segmentation fault") return "crashed: it used memory that is not its own (segmentation fault)";
-  if (cause == "bus error") return "crashed (bus error)";
-  if (cause == "arithmetic exception") return "crashed: an integer division by zero (SIGFPE)";
-  return fmt::format("was stopped: it asked the operating system for '{}', which no exercise needs", cause.substr(0, 60));
-}
-
 }  // namespace
 
 Session::Session(Setup setup) : setup_(std::move(setup)), random_(setup_.seed) {}
@@ -78,7 +70,7 @@ std::vector<std::byte> Session::exchange(const Request& request) {
   if (!fault_.empty()) throw SubmissionFault(fault_);
   ++calls_;
   try {
-    if (!worker_) worker_ = std::make_unique<WorkerProcess>(*setup_.sandbox, setup_.host, setup_.submission);
+    startWorker();
     const auto start = WorkerProcess::Clock::now();
     const auto left = setup_.limits.criterion - std::chrono::duration_cast<std::chrono::milliseconds>(waited_);
     std::vector<std::byte> reply = converse(request, start + std::min(setup_.limits.call, left));
@@ -86,10 +78,10 @@ std::vector<std::byte> Session::exchange(const Request& request) {
     return reply;
   } catch (const SubmissionFault& error) {
     fault_ = error.what();
-    if (error.timedOut()) {
+    if (error.timedOut() && worker_) {
       timedOutFunction_ = request.function;
-      const bool callLimit = std::chrono::duration_cast<std::chrono::milliseconds>(waited_) + setup_.limits.call <
-                             setup_.limits.criterion;
+      const bool callLimit =
+          std::chrono::duration_cast<std::chrono::milliseconds>(waited_) + setup_.limits.call < setup_.limits.criterion;
       fault_ = callLimit ? fmt::format("{} did not return within {} s", request.function,
                                        static_cast<double>(setup_.limits.call.count()) / 1000.0)
                          : fmt::format("the calls of this criterion took more than {} s together; the last was {}",
@@ -98,6 +90,16 @@ std::vector<std::byte> Session::exchange(const Request& request) {
     throw SubmissionFault(fault_, error.timedOut());
   } catch (const GraderFault& error) {
     graderFault_ = error.what();
+    throw;
+  }
+}
+
+void Session::startWorker() {
+  if (worker_) return;
+  try {
+    worker_ = std::make_unique<WorkerProcess>(*setup_.sandbox, setup_.host, setup_.submission);
+  } catch (const SubmissionFault& error) {
+    if (error.timedOut()) timedOutFunction_ = loading;
     throw;
   }
 }
@@ -118,7 +120,7 @@ std::vector<std::byte> Session::converse(const Request& request, WorkerProcess::
       case wire::FrameKind::Refused:
         throw SubmissionFault(refusal(frame, request.function));
       case wire::FrameKind::Died:
-        throw SubmissionFault(fmt::format("{} {}", request.function, death(text(frame))));
+        throw SubmissionFault(fmt::format("{} {}", request.function, deathText(text(frame))));
       default:
         throw SubmissionFault(request.function + " answered with a malformed message");
     }
@@ -134,7 +136,8 @@ void Session::answerCallback(const Request& request, const wire::Frame& frame, s
   try {
     answer = request.callbacks[frame.header.target](frame.payload);
   } catch (const wire::WireError& error) {
-    throw SubmissionFault(fmt::format("{} called its argument with malformed values: {}", request.function, error.what()));
+    throw SubmissionFault(
+        fmt::format("{} called its argument with malformed values: {}", request.function, error.what()));
   }
   worker_->send(wire::FrameKind::Answer, nonce, frame.header.target, answer, deadline, request.function);
 }

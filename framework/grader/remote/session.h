@@ -58,7 +58,9 @@ class Session {
 
   const std::string& fault() const { return fault_; }
   const std::string& graderFault() const { return graderFault_; }
-  /// The function in which time ran out, or "".
+  /// Stands for the code that runs when a file is loaded, which every function needs.
+  static constexpr const char* loading = "(loading)";
+  /// The function in which time ran out, `loading`, or "".
   const std::string& timedOutFunction() const { return timedOutFunction_; }
   std::string lastCall() const { return describeLast_ ? describeLast_() : std::string(); }
   /// Forgets the last call, so that a test's failure does not show the call of another.
@@ -78,6 +80,7 @@ class Session {
   };
 
   std::vector<std::byte> exchange(const Request& request);
+  void startWorker();
   std::vector<std::byte> converse(const Request& request, WorkerProcess::Clock::time_point deadline);
   void answerCallback(const Request& request, const wire::Frame& frame, std::uint64_t nonce,
                       WorkerProcess::Clock::time_point deadline);

@@ -2,12 +2,12 @@
 
 #include "grader/remote/fault.h"
 
-#include <array>
-#include <csignal>
-#include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <array>
+#include <csignal>
+#include <cstring>
 
 namespace muelle::grader {
 
@@ -15,12 +15,14 @@ namespace {
 
 constexpr std::size_t outputLimit = 64 * 1024;
 constexpr auto loadingTime = std::chrono::seconds(2);
+constexpr const char* loadingCode = "the code that runs when your file is loaded";
 constexpr auto startingTime = std::chrono::seconds(20);  // for the sandbox itself on a busy machine
 
 /// The libraries that the host program and a submission need: the worker sees these files and no folder.
 std::vector<VisibleFile> systemLibraries() {
   std::vector<VisibleFile> files;
-  files.push_back({"/usr/lib64/ld-linux-x86-64.so.2", std::filesystem::canonical("/lib64/ld-linux-x86-64.so.2"), "", true});
+  files.push_back(
+      {"/usr/lib64/ld-linux-x86-64.so.2", std::filesystem::canonical("/lib64/ld-linux-x86-64.so.2"), "", true});
   for (const char* name : {"libc.so.6", "libm.so.6", "libstdc++.so.6", "libgcc_s.so.1", "libseccomp.so.2"}) {
     const std::filesystem::path folder = "/usr/lib/x86_64-linux-gnu";
     files.push_back({(folder / name).string(), std::filesystem::canonical(folder / name), "", true});
@@ -53,9 +55,20 @@ std::string textOf(const wire::Frame& frame) {
 
 }  // namespace
 
+std::string deathText(const std::string& cause) {
+  if (cause == "stack overflow")
+    return "ran out of stack: does it call itself without end, or hold a huge local array?";
+  if (cause == "segmentation fault") return "crashed: it used memory that is not its own (segmentation fault)";
+  if (cause == "bus error") return "crashed (bus error)";
+  if (cause == "arithmetic exception") return "crashed: an integer division by zero (SIGFPE)";
+  return fmt::format("was stopped: it asked the operating system for '{}', which no exercise needs",
+                     cause.substr(0, 60));
+}
+
 WorkerProcess::WorkerProcess(const Sandbox& sandbox, const std::filesystem::path& host,
                              const std::filesystem::path& submission)
     : request_(makePipe()), reply_(makePipe()), out_(makePipe()) {
+  ignoreClosedPipes();  // a submission that dies between two calls must not take the test process with it
   Confinement confinement;
   confinement.command = {"/host", "/submission.so"};
   confinement.files = systemLibraries();
@@ -85,12 +98,14 @@ void WorkerProcess::load() {
     drainOutput();
     throw GraderFault(fmt::format("the worker could not confine itself: {} {}", error.what(), output_.substr(0, 300)));
   }
-  const wire::Frame frame = receive(0, Clock::now() + loadingTime, "the code that runs when your file is loaded");
+  const wire::Frame frame = receive(0, Clock::now() + loadingTime, loadingCode);
   if (frame.header.kind == wire::FrameKind::Ready) return;
   if (frame.header.kind == wire::FrameKind::LoadError) {
     throw SubmissionFault("your file could not be loaded: " + textOf(frame));
   }
-  throw SubmissionFault("the code that runs when your file is loaded did not end properly: " + textOf(frame));
+  if (frame.header.kind == wire::FrameKind::Died)
+    throw SubmissionFault(fmt::format("{} {}", loadingCode, deathText(textOf(frame))));
+  throw SubmissionFault(std::string(loadingCode) + " did not end properly: " + textOf(frame));
 }
 
 void WorkerProcess::send(wire::FrameKind kind, std::uint64_t nonce, std::uint32_t target,

@@ -10,8 +10,11 @@
 
 namespace muelle::grader {
 
-/// The process that holds a student's code, seen from the test process: frames in, frames out, deadlines, output drained.
-/// Whatever arrives is checked: sizes before allocation, the nonce of the call, the kind that may come now.
+/// What to say of a cause of death that the worker has sent: "stack overflow", or the name of a forbidden system call.
+std::string deathText(const std::string& cause);
+
+/// The process that holds a student's code, seen from the test process: frames in, frames out, deadlines, output
+/// drained. Whatever arrives is checked: sizes before allocation, the nonce of the call, the kind that may come now.
 class WorkerProcess {
  public:
   using Clock = std::chrono::steady_clock;

@@ -12,8 +12,8 @@
 #include "harness/figure.h"
 #include "harness/testing/random.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <iostream>
 
 std::vector<muelle::Figure> muelleDemo();
@@ -35,6 +35,18 @@ struct Options {
   std::vector<std::string> functions;
   std::uint64_t seed = 0;
 };
+
+/// For the tests of the course: the suites of this program and the mistakes that it can name.
+int list() {
+  const ::testing::UnitTest& tests = *::testing::UnitTest::GetInstance();
+  for (int i = 0; i < tests.total_test_suite_count(); ++i) {
+    std::cout << "suite " << tests.GetTestSuite(i)->name() << '\n';
+  }
+  for (const auto& [function, history] : CallHistoryBase::all()) {
+    for (const std::string& id : history->mistakes()) std::cout << "mistake " << function << ' ' << id << '\n';
+  }
+  return 0;
+}
 
 Options readOptions(int argc, char** argv) {
   Options options;
@@ -60,9 +72,14 @@ Options readOptions(int argc, char** argv) {
 /// Runs the suite unless a function that it needs is known not to return.
 void grade(const Options& options, Session& session, Verdict& verdict) {
   const TimeOutMarks marks(options.worker.parent_path());
+  if (const auto seenIn = marks.find(Session::loading); seenIn && *seenIn != options.suite) {
+    verdict.fault = "the code that runs when your file is loaded does not end";
+    return;
+  }
   for (const std::string& function : options.functions) {
     if (const auto seenIn = marks.find(function); seenIn && *seenIn != options.suite) {
-      verdict.fault = fmt::format("{} did not return in time in criterion {}; this criterion needs it", function, *seenIn);
+      verdict.fault =
+          fmt::format("{} did not return in time in criterion {}; this criterion needs it", function, *seenIn);
       return;
     }
   }
@@ -129,6 +146,7 @@ int main(int argc, char** argv) {
   int quiet = 1;  // our own options are not GoogleTest's
   ::testing::InitGoogleTest(&quiet, argv);
   try {
+    if (argc == 2 && std::string_view(argv[1]) == "--list") return list();
     return run(argc, argv);
   } catch (const std::exception& error) {
     std::cerr << "muelle: " << error.what() << '\n';

@@ -1,0 +1,65 @@
+/// \file
+/// Every folder of tests/submissions/hostile is graded through the real path. The first line of its source says
+/// "// attack: what it does; expect: zero points[; says: regular expression of the feedback]".
+
+#include "grading.h"
+#include "surroundings.h"
+
+#include "harness/build_paths.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <regex>
+
+namespace muelle::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path corpus() { return fs::path(build_paths::source) / "tests" / "submissions" / "hostile"; }
+
+std::vector<std::string> attacks() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(corpus())) names.push_back(entry.path().filename());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// The exercise whose file the folder holds.
+std::string topicOf(const fs::path& folder) {
+  for (const Manifest& manifest : readCourse(Workplace::ofThisBuild().exercises())) {
+    if (fs::exists(folder / manifest.files.front())) return manifest.topic;
+  }
+  throw std::runtime_error(folder.string() + " holds no file of an exercise");
+}
+
+/// Reads the first line. Throws std::runtime_error when it is not as it should be.
+std::string expectedWords(const fs::path& source) {
+  std::ifstream stream(source);
+  std::string line;
+  std::getline(stream, line);
+  static const std::regex form("// attack: [^;]+; expect: zero points(; says: (.+))?");
+  std::smatch match;
+  if (!std::regex_match(line, match, form)) throw std::runtime_error(source.string() + ": the first line is malformed");
+  return match[2];
+}
+
+class Hostile : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Hostile, GetsNoPointsAndChangesNothing) {
+  const fs::path folder = corpus() / GetParam();
+  const std::string topic = topicOf(folder);
+  const std::string says = expectedWords(folder / (topic + ".cpp"));
+  const Surroundings surroundings(folder);
+  const GradedSubmission graded = gradeAttack(folder, topic);
+  expectDefeated(graded, says);
+  EXPECT_EQ(surroundings.changes(), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Submission, Hostile, ::testing::ValuesIn(attacks()),
+                         [](const auto& info) { return info.param; });
+
+}  // namespace
+}  // namespace muelle::grader

@@ -1,0 +1,9 @@
+// attack: embeds a file by an assembler directive; expect: zero points; says: does not compile
+#include "spring_1d.h"
+
+asm(".section .rodata\n.global loot\nloot: .incbin \"/etc/passwd\"\n.previous");
+double lumpedMass(double, int) { return 0; }
+double springForceOnA(double, double, double, double) { return 0; }
+double springForceOnB(double, double, double, double) { return 0; }
+double hangingAcceleration(double, double, const Attachment&, double) { return 0; }
+double accelerationBetween(double, double, const Attachment&, const Attachment&, double) { return 0; }

@@ -1,0 +1,16 @@
+// attack: writes through a null pointer; expect: zero points; says: segmentation fault[^]*lumpedMass\(
+#include "spring_1d.h"
+
+namespace {
+double attack() {
+  double* volatile nothing = nullptr;
+  *nothing = 1;
+  return 0;
+}
+}  // namespace
+
+double lumpedMass(double, int) { return attack(); }
+double springForceOnA(double, double, double, double) { return attack(); }
+double springForceOnB(double, double, double, double) { return attack(); }
+double hangingAcceleration(double, double, const Attachment&, double) { return attack(); }
+double accelerationBetween(double, double, const Attachment&, const Attachment&, double) { return attack(); }

@@ -1,0 +1,15 @@
+// attack: forks by the system call itself; expect: zero points; says: fork
+#include "spring_1d.h"
+
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace {
+double attack() { return static_cast<double>(syscall(SYS_fork)); }
+}  // namespace
+
+double lumpedMass(double, int) { return attack(); }
+double springForceOnA(double, double, double, double) { return attack(); }
+double springForceOnB(double, double, double, double) { return attack(); }
+double hangingAcceleration(double, double, const Attachment&, double) { return attack(); }
+double accelerationBetween(double, double, const Attachment&, const Attachment&, double) { return attack(); }

@@ -1,0 +1,1 @@
+double lumpedMass(double M, int n) { return M / n; }

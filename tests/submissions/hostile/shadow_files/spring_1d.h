@@ -1,0 +1,5 @@
+#define SHADOWED
+#include <cmath>
+struct Attachment {
+  double x, k, L0;
+};
