@@ -1,0 +1,97 @@
+/// \file
+/// The arrows of the house: harness <- engine <- grader <- app, exercises on harness alone. What a room may include is
+/// stated once, here; every quoted #include of every source is held against it.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source = MUELLE_SOURCE;
+
+using Rooms = std::set<std::string>;
+
+struct Include {
+  fs::path file;
+  int line;
+  std::string target;
+};
+
+bool isSource(const fs::path& file) { return file.extension() == ".h" || file.extension() == ".cpp"; }
+
+std::vector<Include> includesBelow(const fs::path& folder) {
+  static const std::regex pattern("^\\s*#\\s*include\\s*[\"<]([^\">]+)[\">]");
+  std::vector<Include> includes;
+  if (!fs::exists(folder)) return includes;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file() || !isSource(entry.path())) continue;
+    std::ifstream stream(entry.path());
+    std::string line;
+    for (int number = 1; std::getline(stream, line); ++number) {
+      std::smatch match;
+      if (std::regex_search(line, match, pattern)) includes.push_back({entry.path(), number, match[1]});
+    }
+  }
+  return includes;
+}
+
+/// The room that an include names, "" when it is none of ours.
+std::string roomOf(const std::string& target) {
+  static const Rooms rooms = {"harness", "engine", "grader", "app", "solutions", "tests", "exercises"};
+  const std::string first = target.substr(0, target.find('/'));
+  return target.find('/') != std::string::npos && rooms.contains(first) ? first : "";
+}
+
+void expectOnly(const fs::path& folder, const Rooms& allowed) {
+  for (const Include& include : includesBelow(source / folder)) {
+    const std::string room = roomOf(include.target);
+    const bool climbs = include.target.find("..") != std::string::npos;
+    EXPECT_TRUE((room.empty() || allowed.contains(room)) && !climbs)
+        << fs::relative(include.file, source).string() << ":" << include.line << " includes " << include.target
+        << ", which " << folder.string() << " must not stand on";
+  }
+}
+
+TEST(Architecture, HarnessStandsOnNothing) { expectOnly("framework/harness", {"harness"}); }
+TEST(Architecture, EngineStandsOnHarness) { expectOnly("framework/engine", {"harness", "engine"}); }
+TEST(Architecture, GraderStandsOnHarnessAndEngine) { expectOnly("framework/grader", {"harness", "engine", "grader"}); }
+TEST(Architecture, AppStandsOnTheRooms) { expectOnly("framework/app", {"harness", "engine", "grader", "app"}); }
+TEST(Architecture, ExercisesStandOnHarness) { expectOnly("exercises", {"harness"}); }
+TEST(Architecture, HiddenTestsDoNotSeeSolutions) { expectOnly("tests/hidden", {"harness", "engine", "grader"}); }
+
+TEST(Architecture, TheStudentsCommandNeedsNoGrader) {
+  // In the app only what the build leaves out of a student's tree may include the grader.
+  const Rooms instructors = {"grade.cpp", "test_the_tests.cpp"};
+  for (const Include& include : includesBelow(source / "framework/app")) {
+    if (roomOf(include.target) != "grader") continue;
+    EXPECT_TRUE(instructors.contains(include.file.filename().string())) << include.file << ":" << include.line;
+  }
+}
+
+TEST(Architecture, SolutionsIncludeTheirContractAlone) {
+  for (const Include& include : includesBelow(source / "solutions")) {
+    const std::string contract = include.file.stem().string() + ".h";
+    const bool isStandard = include.target.find('.') == std::string::npos;
+    EXPECT_TRUE(include.target == contract || isStandard || roomOf(include.target) == "harness" ||
+                include.target.starts_with("Eigen/"))
+        << include.file << ":" << include.line << " includes " << include.target;
+  }
+}
+
+TEST(Architecture, ThePatternSeesIncludes) {
+  // Guards the tests above against a pattern that matches nothing.
+  EXPECT_GT(includesBelow(source / "framework/harness").size(), 50U);
+  EXPECT_EQ(roomOf("grader/verdict.h"), "grader");
+  EXPECT_EQ(roomOf("vector"), "");
+}
+
+}  // namespace
