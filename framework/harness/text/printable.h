@@ -5,7 +5,7 @@
 namespace muelle {
 
 /// Untrusted text made safe for a terminal: control characters (but for newline and tab), bytes that are not UTF-8,
-/// and the marks that turn the direction of text become visible escapes such as \x1b.
+/// and the marks that turn the direction of text become visible escapes such as a backslash, x and 1b.
 std::string printable(std::string_view text);
 
 /// The first `lines` lines of the text and at most `bytes` bytes, with a last line that says what was cut.
