@@ -107,7 +107,7 @@ TEST_F(ManifestFile, AWrongTypeSaysWhatWasExpectedAndFound) {
   EXPECT_EQ(complaint(with("order = 10", "order = 1.5")),
             "spring_1d/exercise.toml:1: key 'order': expected an integer, found a number");
   EXPECT_EQ(complaint(with("partial = true", "partial = 1")),
-            "spring_1d/exercise.toml:18: key 'partial': expected true or false, found an integer");
+            "spring_1d/exercise.toml:19: key 'partial': expected true or false, found an integer");
 }
 
 TEST_F(ManifestFile, AMissingKeyIsNamed) {
@@ -122,11 +122,11 @@ TEST_F(ManifestFile, PointsMustAddUp) {
 
 TEST_F(ManifestFile, SuitesAndIdsAreUnique) {
   EXPECT_EQ(complaint(with("ThirdLaw", "HookeForce")),
-            "spring_1d/exercise.toml:16: key 'suite': 'HookeForce' is already that of another criterion");
+            "spring_1d/exercise.toml:17: key 'suite': 'HookeForce' is already that of another criterion");
   const std::string twice =
       good + "[[misconception]]\nid = \"wrong_sign\"\nfunction = \"f\"\nsays = \"s\"\nhint = \"h\"\n";
   EXPECT_EQ(complaint(twice),
-            "spring_1d/exercise.toml:28: key 'id': 'wrong_sign' is already that of another misconception");
+            "spring_1d/exercise.toml:29: key 'id': 'wrong_sign' is already that of another misconception");
 }
 
 TEST_F(ManifestFile, FilesArePlainSourceNames) {
