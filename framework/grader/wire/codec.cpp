@@ -12,41 +12,41 @@ void decode(Reader& reader, std::string& text) {
   for (char& c : text) c = reader.number<char>();
 }
 
-/// Rows, columns, then (row, column, value) in column order.
+/// Rows, columns, then for each column the number of its entries and (row, value) of each: a column takes more bytes in
+/// the message than its start takes in memory.
 void encode(Writer& writer, const Sparse& m) {
   writer.number(static_cast<std::uint64_t>(m.rows()));
   writer.number(static_cast<std::uint64_t>(m.cols()));
-  writer.number(static_cast<std::uint64_t>(m.nonZeros()));
   for (Eigen::Index col = 0; col < m.outerSize(); ++col) {
+    std::uint64_t count = 0;
+    for (Sparse::InnerIterator entry(m, col); entry; ++entry) ++count;
+    writer.number(count);
     for (Sparse::InnerIterator entry(m, col); entry; ++entry) {
       writer.number(static_cast<std::int64_t>(entry.row()));
-      writer.number(static_cast<std::int64_t>(entry.col()));
       writer.number(entry.value());
     }
   }
 }
 
 void decode(Reader& reader, Sparse& m) {
-  // A sparse matrix allocates its column starts, so the size is bounded by itself.
-  constexpr std::uint64_t largest = 1'000'000;
-  constexpr std::size_t entryBytes = 2 * sizeof(std::int64_t) + sizeof(double);
+  constexpr std::uint64_t mostRows = 1'000'000;  // no answer is larger, and whoever multiplies by it allocates that
   const auto rows = reader.number<std::uint64_t>();
-  const auto cols = reader.number<std::uint64_t>();
-  if (rows > largest || cols > largest) throw WireError("a sparse matrix is too large");
-  const std::size_t count = reader.length(entryBytes);
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto row = reader.number<std::int64_t>();
-    const auto col = reader.number<std::int64_t>();
-    const double value = reader.number<double>();
-    if (row < 0 || col < 0 || static_cast<std::uint64_t>(row) >= rows || static_cast<std::uint64_t>(col) >= cols) {
-      throw WireError("an entry lies outside its sparse matrix");
-    }
-    entries.emplace_back(static_cast<int>(row), static_cast<int>(col), value);
-  }
+  const std::size_t cols = reader.length(sizeof(std::uint64_t));
+  if (rows > mostRows) throw WireError("a sparse matrix is too large");
   m.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(cols));
-  m.setFromTriplets(entries.begin(), entries.end());
+  for (std::size_t col = 0; col < cols; ++col) {
+    m.startVec(static_cast<Eigen::Index>(col));
+    const std::size_t count = reader.length(sizeof(std::uint64_t) + sizeof(double));
+    std::uint64_t next = 0;  // rows ascend, so that no entry comes twice
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto row = reader.number<std::uint64_t>();
+      const auto value = reader.number<double>();
+      if (row < next || row >= rows) throw WireError("an entry lies outside its sparse matrix");
+      m.insertBack(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(col)) = value;
+      next = row + 1;
+    }
+  }
+  m.finalize();
 }
 
 }  // namespace muelle::grader::wire

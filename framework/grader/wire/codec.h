@@ -82,10 +82,14 @@ void decode(Reader& reader, Eigen::Matrix<double, Rows, Cols, Options>& m) {
     const auto rows = reader.number<std::uint64_t>();
     const auto cols = reader.number<std::uint64_t>();
     const std::size_t room = reader.remaining() / sizeof(double);
-    if (rows > room || cols > room || (cols > 0 && rows > room / cols)) {
+    constexpr std::uint64_t longestSide = 1UL << 30;  // of an empty matrix, whose entries bound nothing
+    if (rows > longestSide || cols > longestSide || (cols > 0 && rows > room / cols)) {
       throw WireError("a matrix is larger than its message");
     }
-    if ((Rows != Eigen::Dynamic && rows != Rows) || (Cols != Eigen::Dynamic && cols != Cols)) {
+    const auto fits = [](int known, std::uint64_t given) {
+      return known == Eigen::Dynamic || given == static_cast<std::uint64_t>(known);
+    };
+    if (!fits(Rows, rows) || !fits(Cols, cols)) {
       throw WireError("a matrix has the wrong shape");
     }
     m.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(cols));
@@ -101,12 +105,13 @@ void encode(Writer& writer, const std::vector<T>& list) {
 
 template <class T>
 void decode(Reader& reader, std::vector<T>& list) {
-  // Every element but an empty struct takes at least eight bytes.
-  list.assign(reader.length(sizeof(std::int64_t)), T());
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    T item;
+  // Every element but an empty struct takes at least eight bytes; memory grows only as they are read.
+  const std::size_t count = reader.length(sizeof(std::int64_t));
+  list.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    T item{};
     decode(reader, item);
-    list[i] = std::move(item);
+    list.push_back(std::move(item));
   }
 }
 
