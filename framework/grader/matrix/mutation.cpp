@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <map>
 #include <set>
@@ -16,10 +17,11 @@ namespace {
 using Replacements = std::vector<std::string>;
 
 const std::map<std::string_view, Replacements> operatorReplacements{
-    {"+", {"-"}},        {"*", {"/"}},        {"/", {"*"}},        {"%", {"*", "/"}},  {"+=", {"-=", "="}},
-    {"-=", {"+=", "="}}, {"*=", {"/=", "="}}, {"/=", {"*=", "="}}, {"++", {"--"}},     {"--", {"++"}},
-    {"&&", {"||"}},      {"||", {"&&"}},      {"<", {"<=", ">="}}, {"<=", {"<", ">"}}, {">", {">=", "<="}},
-    {">=", {">", "<"}},  {"==", {"!="}},      {"!=", {"=="}},      {"!", {""}}};
+    {"+", {"-"}},        {"*", {"/"}},        {"/", {"*"}},        {"%", {"*", "/"}}, {"+=", {"-=", "="}},
+    {"-=", {"+=", "="}}, {"*=", {"/=", "="}}, {"/=", {"*=", "="}}, {"++", {"--"}},    {"--", {"++"}},
+    {"&&", {"||"}},      {"||", {"&&"}},      {"!", {""}}};
+
+constexpr std::array<std::string_view, 6> comparisons{"<", "<=", ">", ">=", "==", "!="};
 
 const std::map<std::string_view, std::string> nameReplacements{
     {"min", "max"},   {"max", "min"},          {"floor", "ceil"},       {"ceil", "floor"}, {"sin", "cos"},
@@ -105,6 +107,10 @@ class Mutator {
     if (text == "&&" && !tokens_[i].spaceBefore) return;  // auto&& x
     if (const auto replacements = operatorReplacements.find(text); replacements != operatorReplacements.end()) {
       for (const std::string& replacement : replacements->second) add(i, replacement);
+    }
+    if (std::find(comparisons.begin(), comparisons.end(), text) == comparisons.end()) return;
+    for (const std::string_view other : comparisons) {
+      if (other != text) add(i, std::string(other));
     }
   }
 

@@ -26,7 +26,7 @@ struct Mutation {
 /// - `+` and `-`, `*` and `/` exchanged (`%` becomes either), `+=`, `-=`, `*=`, `/=` inverted or made `=`, `++` and
 /// `--`
 ///   exchanged, `&&` and `||` exchanged, `!` dropped;
-/// - a comparison shifted at its boundary (`<` to `<=`) and turned round (`<` to `>=`, `==` to `!=`);
+/// - every comparison replaced by every other;
 /// - a unary minus dropped; one put after `return` and `=`, but where the value is a literal zero or Zero(): -0 is 0;
 /// - an integer n becomes n + 1 and n - 1; a floating-point number becomes its double and its half, 0.0 becomes 1.0;
 /// - a parameter replaced by every other parameter of its type, in the function's body;
