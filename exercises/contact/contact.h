@@ -51,8 +51,8 @@ std::vector<double> columnAtRest(const std::vector<double>& m, double k, double 
 /// With the tangential velocity v_t = v - (v . n) n, the force is -min(mu N, c |v_t|) v_t / |v_t|, and zero when v_t is
 /// zero.
 /// \param v velocity of the node [m/s]   \param n unit normal of the surface   \param N normal force [N], N >= 0
-/// \param mu friction coefficient, mu >= 0   \param c slope at rest [N s/m]: how fast the force grows with speed, c >= 0
-/// \return force on the node [N]
+/// \param mu friction coefficient, mu >= 0   \param c slope at rest [N s/m]: how fast the force grows with speed, c >=
+/// 0 \return force on the node [N]
 Vec3 frictionForce(const Vec3& v, const Vec3& n, double N, double mu, double c);
 
 MUELLE_FUNCTIONS(planeContact, sphereContact, columnAtRest, frictionForce)

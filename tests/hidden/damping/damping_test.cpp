@@ -6,8 +6,8 @@
 #include "harness/testing/expect.h"
 #include "harness/testing/random.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <functional>
