@@ -35,7 +35,7 @@ MUELLE_DEMO {
   muelle::SymplecticEuler method;
   muelle::SimulationOptions options;
   options.h = 2e-3;
-  options.duration = 10.0;
+  options.duration = 5.0;
   options.outputEvery = 2;
   options.probes = {muelle::kineticEnergy(system)};
   const muelle::Trajectory run = muelle::simulate(system, method, {0.0, {0.8, 0, -1.0}, {0, 0, 0}, {}}, options);
