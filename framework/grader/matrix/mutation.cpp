@@ -30,7 +30,7 @@ const std::map<std::string_view, std::string> nameReplacements{
 
 /// After one of these a minus is a sign.
 bool opensOperand(const Token& token) {
-  if (token.kind == Token::Kind::Operator) return token.text != ")" && token.text != "]";
+  if (token.kind == Token::Kind::Operator) return token.text != ")" && token.text != "]" && token.text != "}";
   return token.text == "return" || token.text == "case";
 }
 
