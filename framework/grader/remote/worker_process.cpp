@@ -70,7 +70,7 @@ WorkerProcess::WorkerProcess(const Sandbox& sandbox, const std::filesystem::path
     : request_(makePipe()), reply_(makePipe()), out_(makePipe()) {
   ignoreClosedPipes();  // a submission that dies between two calls must not take the test process with it
   Confinement confinement;
-  confinement.command = {"/host", "/submission.so"};
+  confinement.command = {"./host", "./submission.so"};
   confinement.files = systemLibraries();
   confinement.files.push_back({"/host", host, "", true});
   confinement.files.push_back({"/submission.so", submission, "", true});

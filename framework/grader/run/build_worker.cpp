@@ -5,9 +5,9 @@
 #include "harness/build_paths.h"
 #include "harness/check/diagnostics.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace muelle::grader {
@@ -24,13 +24,15 @@ constexpr const char* linkFlags = "-shared -Wl,-Bsymbolic,-z,defs,-z,now,-z,noex
 constexpr int compileFailed = 10;
 constexpr int linkFailed = 11;
 
-/// Runs inside the sandbox. Nothing of the student's runs here, only the compiler does; the product leaves by stdout.
+/// Runs inside the sandbox, in its root folder, which only some backends can make "/". Nothing of the student's runs
+/// here, only the compiler does; the product leaves by stdout.
 std::string script(const std::vector<std::string>& names) {
   std::string files;
-  for (const std::string& name : names) files += " /submission/" + name;
+  for (const std::string& name : names) files += " ../submission/" + name;
   return fmt::format(
-      "cd /tmp && {0} {1} {2} {7} -I/prelude -include prelude.h -I/contract -I/framework -isystem /eigen -c{3} "
-      "|| exit {4}\n{0} {5} *.o -Wl,--whole-archive /glue.a -Wl,--no-whole-archive -o submission.so || exit {6}\ncat submission.so\n",
+      "cd tmp && {0} {1} {2} {7} -I../prelude -include prelude.h -I../contract -I../framework -isystem ../eigen -c{3} "
+      "|| exit {4}\n{0} {5} *.o -Wl,--whole-archive ../glue.a -Wl,--no-whole-archive -o submission.so || exit {6}\ncat "
+      "submission.so\n",
       fs::canonical(build_paths::compiler).string(), build_paths::studentFlags, compilerLimits, files, compileFailed,
       linkFlags, linkFailed, fmt::join(diagnosticFlags(), " "));
 }
@@ -116,13 +118,12 @@ BuildOutcome judge(const Workplace& workplace, const CommandResult& result, cons
 }
 
 nlohmann::json toJson(const BuildOutcome& outcome) {
-  return {{"status", static_cast<int>(outcome.status)}, {"message", outcome.message}, {"diagnostics", outcome.diagnostics}};
+  return {
+      {"status", static_cast<int>(outcome.status)}, {"message", outcome.message}, {"diagnostics", outcome.diagnostics}};
 }
 
 /// A new compiler package rebuilds the workers.
-std::string compilerVersion() {
-  return fs::canonical(build_paths::compiler).string() + __VERSION__;
-}
+std::string compilerVersion() { return fs::canonical(build_paths::compiler).string() + __VERSION__; }
 
 }  // namespace
 
@@ -151,7 +152,8 @@ std::optional<BuildOutcome> readBuildOutcome(const Workplace& workplace, const s
     outcome.status = static_cast<BuildOutcome::Status>(document.at("status").get<int>());
     document.at("message").get_to(outcome.message);
     document.at("diagnostics").get_to(outcome.diagnostics);
-    if (outcome.status == BuildOutcome::Status::Built && !fs::exists(submissionObject(workplace, key))) return std::nullopt;
+    if (outcome.status == BuildOutcome::Status::Built && !fs::exists(submissionObject(workplace, key)))
+      return std::nullopt;
     return outcome;
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
@@ -167,8 +169,8 @@ BuildOutcome buildWorker(const Workplace& workplace, const Manifest& manifest, c
   }
   BuildOutcome outcome;
   try {
-    const CommandResult result = sandbox.run(compilation(workplace, manifest, sources, limits), limits.time,
-                                             limits.product, limits.diagnostics);
+    const CommandResult result =
+        sandbox.run(compilation(workplace, manifest, sources, limits), limits.time, limits.product, limits.diagnostics);
     outcome = judge(workplace, result, manifest, sources, limits);
     fs::create_directories(workerFolder(workplace, key));
     if (outcome.status == BuildOutcome::Status::Built) writeWhole(submissionObject(workplace, key), result.out);

@@ -2,8 +2,8 @@
 
 #include "grader/sandbox/handover.h"
 
-#include <stdexcept>
 #include <sys/stat.h>
+#include <stdexcept>
 
 namespace muelle::grader {
 
@@ -41,8 +41,8 @@ Sandbox::Prepared Bubblewrap::prepare(const Confinement& confinement) const {
   for (const VisibleFile& file : confinement.files) {
     prepared.handedOver.push_back(openForHandover(file));
     spec.descriptors[number] = prepared.handedOver.back().get();
-    append(spec.command, {"--perms", file.executable ? "0555" : "0444", "--ro-bind-data", std::to_string(number++),
-                          file.inside});
+    append(spec.command,
+           {"--perms", file.executable ? "0555" : "0444", "--ro-bind-data", std::to_string(number++), file.inside});
   }
   append(spec.command, {"--remount-ro", "/", "--"});
   spec.command.insert(spec.command.end(), confinement.command.begin(), confinement.command.end());

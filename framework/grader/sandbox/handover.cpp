@@ -1,10 +1,10 @@
 #include "grader/sandbox/handover.h"
 
+#include <fcntl.h>
+#include <sys/mman.h>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <stdexcept>
-#include <sys/mman.h>
 
 namespace muelle::grader {
 
@@ -29,7 +29,7 @@ Descriptor openForHandover(const VisibleFile& file) {
 std::vector<std::string> unprivilegedPrefix() {
   if (geteuid() != 0) return {};
   const std::string id = std::to_string(unassignedUserId());
-  return {"/usr/bin/setpriv", "--reuid", id,       "--regid", id, "--clear-groups", "--inh-caps=-all",
+  return {"/usr/bin/setpriv",    "--reuid",        id,  "--regid", id, "--clear-groups", "--inh-caps=-all",
           "--bounding-set=-all", "--no-new-privs", "--"};
 }
 

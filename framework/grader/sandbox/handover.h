@@ -9,7 +9,8 @@ inline constexpr int firstHandoverDescriptor = 10;
 /// A file's content at its beginning, as a descriptor. Throws std::runtime_error naming the file.
 Descriptor openForHandover(const VisibleFile& file);
 
-/// `setpriv ...` when the grader is root: an unassigned user, no groups, no capability, no new privileges. Else nothing.
+/// `setpriv ...` when the grader is root: an unassigned user, no groups, no capability, no new privileges. Else
+/// nothing.
 std::vector<std::string> unprivilegedPrefix();
 
 /// What can be read now and to the end of the stream, at most `bytes`, one line, for a message.

@@ -1,6 +1,8 @@
 #include "grader/sandbox/sandbox.h"
 
 #include "grader/sandbox/bubblewrap.h"
+#include "grader/sandbox/landlock.h"
+#include "grader/sandbox/unsafe.h"
 
 #include <stdexcept>
 
@@ -29,16 +31,25 @@ std::string toText(SandboxChoice choice) {
 }
 
 std::unique_ptr<Sandbox> makeSandbox(SandboxChoice choice) {
+  if (choice == SandboxChoice::Unsafe) return std::make_unique<Unsafe>();
+  std::string reasons;
   if (choice == SandboxChoice::Automatic || choice == SandboxChoice::Bubblewrap) {
-    const std::string reason = Bubblewrap::whyNot();
-    if (reason.empty()) return std::make_unique<Bubblewrap>();
-    throw std::runtime_error("no sandbox works here: " + reason);
+    reasons = Bubblewrap::whyNot();
+    if (reasons.empty()) return std::make_unique<Bubblewrap>();
   }
-  throw std::runtime_error("no sandbox works here");
+  if (choice == SandboxChoice::Automatic || choice == SandboxChoice::Landlock) {
+    const std::string reason = Landlock::whyNot();
+    if (reason.empty()) return std::make_unique<Landlock>(reasons);
+    reasons += (reasons.empty() ? "" : "; ") + reason;
+  }
+  throw std::runtime_error(
+      "no sandbox works here: " + reasons +
+      ". Allow user namespaces or Landlock on this machine, or use --unsafe for files of your own");
 }
 
 std::unique_ptr<Sandbox> settledSandbox(SandboxChoice choice) {
   if (choice == SandboxChoice::Bubblewrap) return std::make_unique<Bubblewrap>();
+  if (choice == SandboxChoice::Landlock) return std::make_unique<Landlock>();
   return makeSandbox(choice);
 }
 

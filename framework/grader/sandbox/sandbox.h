@@ -11,21 +11,22 @@ namespace muelle::grader {
 
 /// A file as a confined program sees it: read-only, under a name of its own.
 struct VisibleFile {
-  std::string inside;                ///< absolute path in the sandbox
-  std::filesystem::path source;      ///< file on our side, or
-  std::string content;               ///< its text, when `source` is empty
+  std::string inside;            ///< absolute path in the sandbox
+  std::filesystem::path source;  ///< file on our side, or
+  std::string content;           ///< its text, when `source` is empty
   bool executable = false;
 };
 
 /// What a confined program is and sees; everything else is absent: no network, no /proc, no /dev, no environment,
-/// no terminal, no other process.
+/// no terminal, no other process. It starts in its root folder; paths below that are best given relative to it, because
+/// the weaker backends cannot make it "/".
 struct Confinement {
-  std::vector<std::string> command;            ///< paths inside
+  std::vector<std::string> command;  ///< paths inside
   std::vector<VisibleFile> files;
-  std::vector<std::string> systemFolders;      ///< seen read-only under their own names: "/usr/include"
+  std::vector<std::string> systemFolders;             ///< seen read-only under their own names: "/usr/include"
   std::map<std::string, std::string> renamedFolders;  ///< ours -> inside, seen read-only
-  std::size_t scratchBytes = 0;                ///< size of a writable /tmp; 0: none
-  std::map<int, int> descriptors;              ///< number inside -> ours
+  std::size_t scratchBytes = 0;                       ///< size of a writable /tmp; 0: none
+  std::map<int, int> descriptors;                     ///< number inside -> ours
   ResourceLimits limits;
 };
 

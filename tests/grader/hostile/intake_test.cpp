@@ -114,7 +114,6 @@ TEST_F(HostileIntake, NamesWithEscapesAndNewlinesAreTame) {
                 {"\xe2\x80\xae"
                  "ppc.x",
                  "x"},
-                {"\xff\xfe", "x"},
                 {"spring_1d.cpp", "#error \x1b[31m\n"}});
   expectNothingFor(archive);
 }
@@ -149,7 +148,7 @@ TEST_F(HostileIntake, ManyEntries) {
   for (int i = 0; i < 30'000; ++i) entries.push_back({"entry" + std::to_string(i), ""});
   entries.push_back({"spring_1d.cpp", readWhole(solution)});
   writeArchive(archive, Format::Tar, entries);
-  EXPECT_THROW(gradeAttack(archive, "spring_1d"), std::runtime_error);
+  expectNothingFor(archive);
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ TEST_P(Hostile, GetsNoPointsAndChangesNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Submission, Hostile, ::testing::ValuesIn(attacks()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& attack) { return attack.param; });
 
 }  // namespace
 }  // namespace muelle::grader

@@ -1,4 +1,4 @@
-// attack: computes in a thread; expect: zero points; says: clone
+// attack: computes in a thread; expect: zero points; says: clone|rt_sigaction
 #include "spring_1d.h"
 
 #include <thread>

@@ -1,4 +1,4 @@
-// attack: starts a thread while it is loaded; expect: zero points; says: clone
+// attack: starts a thread while it is loaded; expect: zero points; says: clone|rt_sigaction
 #include "spring_1d.h"
 
 #include <unistd.h>
