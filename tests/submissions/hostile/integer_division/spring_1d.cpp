@@ -4,7 +4,7 @@
 namespace {
 double attack() {
   volatile int zero = 0;
-  return 1 / zero;
+  return 7 / zero;
 }
 }  // namespace
 
