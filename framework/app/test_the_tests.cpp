@@ -4,6 +4,7 @@
 #include "harness/progress_bar.h"
 
 #include <fmt/format.h>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -42,6 +43,7 @@ std::vector<Manifest> chosen(const MatrixCommand& command, const grader::Workpla
 }
 
 int testTheTests(const MatrixCommand& command) {
+  const auto start = std::chrono::steady_clock::now();
   const grader::Workplace workplace = grader::Workplace::ofThisBuild();
   grader::MatrixOptions options;
   options.grading.seed = command.seed;
@@ -62,7 +64,8 @@ int testTheTests(const MatrixCommand& command) {
     fmt::print("{}\n", grader::matrixText(matrix));
     good = good && matrix.good();
   }
-  fmt::print("{}", grader::summaryText(grader::summarise(matrices)));
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  fmt::print("{}time                      {:.0f} s\n", grader::summaryText(grader::summarise(matrices)), seconds);
   if (!command.csv.empty()) grader::writeWhole(command.csv, grader::matrixCsv(matrices));
   return good ? 0 : 1;
 }
