@@ -1,0 +1,121 @@
+/// \file
+/// What the test process says and does when the worker does anything else than answer.
+
+#include "fixture.h"
+#include "fixture_session.h"
+#include "misbehaviour.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <regex>
+
+namespace {
+
+using muelle::grader::Session;
+using muelle::grader::SessionLimits;
+using muelle::grader::SubmissionFault;
+using std::chrono::milliseconds;
+
+struct Fault {
+  misbehaviour::How how;
+  const char* says;
+};
+
+class Misbehaviour : public muelle::grader::FixtureSession, public ::testing::WithParamInterface<Fault> {};
+
+TEST_P(Misbehaviour, IsNamedAndEndsTheSession) {
+  start({milliseconds(600), milliseconds(10000)});
+  EXPECT_EQ(submission::sum(1, 2, false), 3);
+  const auto begin = std::chrono::steady_clock::now();
+  std::string words;
+  try {
+    submission::misbehave(GetParam().how);
+    submission::misbehave(GetParam().how);  // a forged answer is found out at the next call
+    submission::sum(1, 2, false);
+  } catch (const SubmissionFault& fault) {
+    words = fault.what();
+  }
+  EXPECT_TRUE(std::regex_search(words, std::regex(GetParam().says))) << words;
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(8));
+  EXPECT_EQ(session().graderFault(), "");
+  EXPECT_EQ(session().fault(), words);
+  EXPECT_THROW(submission::sum(1, 2, false), SubmissionFault) << "nothing is believed afterwards";
+}
+
+using namespace misbehaviour;
+INSTANTIATE_TEST_SUITE_P(
+    Each, Misbehaviour,
+    ::testing::Values(Fault{Throw, "misbehave threw an exception: the spring is broken"},
+                      Fault{ThrowNumber, "threw an exception: an object that is no std::exception"},
+                      Fault{IndexOutOfRange, "index 3 of a 3-vector in misbehave"},
+                      Fault{StackOverflow, "misbehave ran out of stack"},
+                      Fault{NullPointer, "misbehave crashed: it used memory that is not its own"},
+                      Fault{DivideByZero, "misbehave crashed: an integer division by zero"},
+                      Fault{Exit, R"(misbehave ended the program with exit\(0\))"},
+                      Fault{Abort, R"(misbehave called abort\(\))"},
+                      Fault{Loop, "misbehave did not return within 0.6 s"},
+                      Fault{StopItself, "misbehave did not return within 0.6 s"},
+                      Fault{HugeFrame, "a message of 4294967295 bytes"},
+                      Fault{WrongNonce, "misbehave answered a question that was not asked"},
+                      Fault{UnknownCallback, "called a function that it was not given"},
+                      Fault{ShortAnswer, "returned something else than its type"},
+                      Fault{DieBetweenCalls, R"(ended the program with exit\(0\))"}, Fault{Fork, "'(clone|fork)'"},
+                      Fault{Socket, "'socket'"}, Fault{Open, "'openat'"}, Fault{Sleep, "'(clock_)?nanosleep'"}),
+    [](const auto& fault) { return "How" + std::to_string(fault.param.how); });
+
+using Faults = muelle::grader::FixtureSession;
+
+TEST_F(Faults, ChangedAnswersAreFoundOut) {
+  const auto manyCalls = [] {
+    for (int i = 0; i < 200; ++i) submission::misbehave(CountCalls);
+  };
+  EXPECT_THROW(manyCalls(), SubmissionFault);
+  EXPECT_NE(session().fault().find("gave another answer when it was asked the same again"), std::string::npos);
+}
+
+TEST_F(Faults, OutputIsDrainedAndCut) {
+  EXPECT_EQ(submission::misbehave(Flood), 1) << "8 MB of output harm nobody";
+  EXPECT_LT(session().output().size(), 66'000U);
+  EXPECT_NE(session().output().find("was cut"), std::string::npos);
+}
+
+TEST_F(Faults, MalformedCallbackIsTheStudents) {
+  const auto call = [] { submission::callTwice([](double x) { return x; }, malformedCallback); };
+  EXPECT_THROW(call(), SubmissionFault);
+  EXPECT_NE(session().fault().find("called its argument with malformed values"), std::string::npos)
+      << session().fault();
+}
+
+TEST_F(Faults, CallsThatAreSlowTogetherRunOutOfTheCriterionsTime) {
+  start({milliseconds(5000), milliseconds(300)});
+  int calls = 0;
+  const auto slow = [&calls](double x) {
+    ++calls;
+    usleep(2000);
+    return x;
+  };
+  const auto many = [&slow] {
+    for (int i = 0; i < 10'000; ++i) submission::callTwice(slow, i);
+  };
+  EXPECT_THROW(many(), SubmissionFault);
+  EXPECT_NE(session().fault().find("took more than 0.3 s together"), std::string::npos) << session().fault();
+  EXPECT_EQ(session().timedOutFunction(), "callTwice");
+  EXPECT_LT(calls, 400);
+}
+
+TEST_F(Faults, LastCallIsShownWithItsInput) {
+  EXPECT_THROW(submission::misbehave(NullPointer), SubmissionFault);
+  EXPECT_EQ(session().lastCall(), "misbehave(" + std::to_string(NullPointer) + ")");
+}
+
+TEST_F(Faults, MissingWorkerIsTheGradersFault) {
+  const auto sandbox = muelle::grader::makeSandbox(muelle::grader::SandboxChoice::Automatic);
+  Session broken({sandbox.get(), MUELLE_HOST, "/nowhere/submission.so", 1, {}});
+  Session::setCurrent(&broken);
+  EXPECT_THROW(submission::sum(1, 2, false), muelle::grader::GraderFault);
+  EXPECT_NE(broken.graderFault(), "");
+  EXPECT_EQ(broken.fault(), "");
+}
+
+}  // namespace
