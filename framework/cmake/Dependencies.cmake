@@ -12,6 +12,10 @@ find_package(GTest REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 
+# The same definitions everywhere, or the precompiled header would not fit.
+target_link_libraries(muelle_flags INTERFACE fmt::fmt Eigen3::Eigen)
+target_compile_definitions(muelle_flags INTERFACE GTEST_HAS_PTHREAD=1)
+
 # The grader's own: absent on a student's machine.
 if(EXISTS ${CMAKE_SOURCE_DIR}/framework/grader/CMakeLists.txt)
   find_package(nlohmann_json REQUIRED)

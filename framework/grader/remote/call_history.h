@@ -1,5 +1,6 @@
 #pragma once
 #include "grader/remote/numbers.h"
+#include "grader/wire/signature.h"
 
 #include <map>
 #include <memory>
@@ -9,6 +10,12 @@
 #include <vector>
 
 namespace muelle::grader {
+
+/// The numbers of an argument that the function may have changed.
+template <class Parameter, class T>
+void appendOutParameter(std::vector<double>& numbers, const T& argument) {
+  if constexpr (wire::isOutParameter<Parameter>) appendNumbers(numbers, argument);
+}
 
 /// The calls of one function in this process, and the usual mistakes that its answers are held against.
 class CallHistoryBase {
@@ -47,13 +54,9 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
     return static_cast<CallHistory&>(*slot);
   }
 
-  /// \param outcome the result, if any, then all arguments (those that the call may have changed count)
-  template <class... Outcome>
-  void add(const Given& given, const Outcome&... outcome) {
-    if (calls_.size() >= mostCalls) return;
-    std::vector<double> numbers;
-    (appendNumbers(numbers, outcome), ...);
-    calls_.push_back({given, std::move(numbers)});
+  /// \param outcome the result, if any, then the out-parameters
+  void add(const Given& given, std::vector<double> outcome) {
+    if (calls_.size() < mostCalls) calls_.push_back({given, std::move(outcome)});
   }
 
   void setOracle(Hypothesis oracle) { oracle_ = std::move(oracle); }
@@ -84,9 +87,9 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
     for (const Call& call : calls_) {
       const std::vector<double> expected = evaluate(oracle_, *call.given);
       const std::vector<double> predicted = evaluate(mistake, *call.given);
-      const double scale = std::max(scaleOf(predicted), scaleOf(call.outcome));
-      if (!agree(call.outcome, predicted, scale)) return false;
-      if (!agree(call.outcome, expected, std::max(scaleOf(expected), scaleOf(call.outcome)))) ++wrong;
+      const double floor = roundOffOf(*call.given);
+      if (!agree(call.outcome, predicted, floor)) return false;
+      if (!agree(call.outcome, expected, floor)) ++wrong;
     }
     return wrong >= fewestWrong;
   }
@@ -100,8 +103,15 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
       const std::decay_t<Result> result = std::apply(invoke, arguments);
       appendNumbers(numbers, result);
     }
-    std::apply([&numbers](const auto&... argument) { (appendNumbers(numbers, argument), ...); }, arguments);
+    std::apply([&numbers](const auto&... argument) { (appendOutParameter<Args>(numbers, argument), ...); }, arguments);
     return numbers;
+  }
+
+  /// Where a result cancels to nothing, the round-off of the arguments is left.
+  static double roundOffOf(const std::tuple<std::decay_t<Args>...>& arguments) {
+    std::vector<double> numbers;
+    std::apply([&numbers](const auto&... argument) { (appendNumbers(numbers, argument), ...); }, arguments);
+    return 1e-12 * scaleOf(numbers);
   }
 
   std::vector<Call> calls_;

@@ -4,9 +4,9 @@
 
 namespace muelle::grader {
 
-bool agree(const std::vector<double>& a, const std::vector<double>& b, double scale) {
+bool agree(const std::vector<double>& a, const std::vector<double>& b, double floor) {
   if (a.size() != b.size()) return false;
-  const double tolerance = 1e-6 * scale;
+  const double tolerance = 1e-6 * std::max(scaleOf(a), scaleOf(b)) + floor;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (std::isnan(a[i]) != std::isnan(b[i])) return false;
     if (std::isnan(a[i]) || a[i] == b[i]) continue;

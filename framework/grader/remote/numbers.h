@@ -44,9 +44,9 @@ void appendNumbers(std::vector<double>& list, const T& object) {
   visitFields(object, [&list](const auto& field) { appendNumbers(list, field); });
 }
 
-/// The same count, and every number within 1e-6 of the larger scale of the two lists (NaN agrees with NaN, an infinity
-/// with itself).
-bool agree(const std::vector<double>& a, const std::vector<double>& b, double scale);
+/// The same count, and every number within 1e-6 of the larger scale of the two lists plus `floor` (NaN agrees with NaN,
+/// an infinity with itself).
+bool agree(const std::vector<double>& a, const std::vector<double>& b, double floor);
 
 /// Largest finite magnitude in a list, 0 when there is none.
 double scaleOf(const std::vector<double>& list);

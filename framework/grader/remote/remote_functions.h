@@ -45,14 +45,16 @@ class RemoteFunction<Result(Args...)> {
       if constexpr (std::is_void_v<Result>) {
         (decodeOut<Args>(reader, args), ...);
         reader.expectEnd();
-        CallHistory<Result(Args...)>::of(name_).add(given, args...);
+        remember(given, {}, args...);
       } else {
         using wire::decode;
         std::decay_t<Result> result;
         decode(reader, result);
         (decodeOut<Args>(reader, args), ...);
         reader.expectEnd();
-        CallHistory<Result(Args...)>::of(name_).add(given, result, args...);
+        std::vector<double> outcome;
+        appendNumbers(outcome, result);
+        remember(given, std::move(outcome), args...);
         return result;
       }
     } catch (const wire::WireError& error) {
@@ -61,6 +63,15 @@ class RemoteFunction<Result(Args...)> {
   }
 
  private:
+  using History = CallHistory<Result(Args...)>;
+
+  /// Keeps the call for the diagnosis: result, then out-parameters.
+  void remember(const typename History::Given& given, std::vector<double> outcome,
+                const std::decay_t<Args>&... args) const {
+    (appendOutParameter<Args>(outcome, args), ...);
+    History::of(name_).add(given, std::move(outcome));
+  }
+
   template <class T>
   static void encodeArgument(wire::Writer& writer, Request&, const T& argument) {
     using wire::encode;
