@@ -27,6 +27,7 @@ class CallHistoryBase {
 
   static constexpr int fewestWrong = 3;
   static constexpr std::size_t mostCalls = 4096;
+  static constexpr std::size_t mostNumbers = 4'000'000;  ///< in all answers kept; a submission decides their size
 
   /// All histories of this process, by function.
   static std::map<std::string, std::unique_ptr<CallHistoryBase>>& all();
@@ -53,6 +54,8 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
     if (calls_.size() >= mostCalls) return;
     std::vector<double> numbers;
     (appendNumbers(numbers, outcome), ...);
+    numbers_ += numbers.size();
+    if (numbers_ > mostNumbers) return;
     calls_.push_back({given, std::move(numbers)});
   }
 
@@ -105,6 +108,7 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
   }
 
   std::vector<Call> calls_;
+  std::size_t numbers_ = 0;
   Hypothesis oracle_;
   std::vector<std::pair<std::string, Hypothesis>> mistakes_;
 };
