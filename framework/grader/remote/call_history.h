@@ -34,6 +34,7 @@ class CallHistoryBase {
 
   static constexpr int fewestWrong = 3;
   static constexpr std::size_t mostCalls = 4096;
+  static constexpr std::size_t mostNumbers = 4'000'000;  ///< in all answers kept; a submission decides their size
 
   /// All histories of this process, by function.
   static std::map<std::string, std::unique_ptr<CallHistoryBase>>& all();
@@ -56,7 +57,9 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
 
   /// \param outcome the result, if any, then the out-parameters
   void add(const Given& given, std::vector<double> outcome) {
-    if (calls_.size() < mostCalls) calls_.push_back({given, std::move(outcome)});
+    numbers_ += outcome.size();
+    if (calls_.size() >= mostCalls || numbers_ > mostNumbers) return;
+    calls_.push_back({given, std::move(outcome)});
   }
 
   void setOracle(Hypothesis oracle) { oracle_ = std::move(oracle); }
@@ -115,6 +118,7 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
   }
 
   std::vector<Call> calls_;
+  std::size_t numbers_ = 0;
   Hypothesis oracle_;
   std::vector<std::pair<std::string, Hypothesis>> mistakes_;
 };

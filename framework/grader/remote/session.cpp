@@ -15,6 +15,7 @@ Session* theSession = nullptr;
 
 constexpr int repeatOneIn = 8;
 constexpr std::size_t rememberedCalls = 256;
+constexpr std::size_t largestRemembered = 256 * 1024;  // [bytes]; a submission decides how large its answers are
 
 std::uint64_t freshNonce() {
   static std::random_device device;  // the kernel's randomness: the worker cannot foresee it
@@ -55,7 +56,7 @@ std::vector<std::byte> Session::call(const Request& request) {
   std::vector<std::byte> reply = exchange(request);
   if (request.callbacks.empty()) {
     remember(request, reply);
-    if (random_.integer(1, repeatOneIn) == 1) repeatAnEarlierCall();
+    if (!past_.empty() && random_.integer(1, repeatOneIn) == 1) repeatAnEarlierCall();
   }
   return reply;
 }
@@ -143,6 +144,7 @@ void Session::answerCallback(const Request& request, const wire::Frame& frame, s
 }
 
 void Session::remember(const Request& request, const std::vector<std::byte>& reply) {
+  if (request.arguments.size() + reply.size() > largestRemembered) return;
   if (past_.size() < rememberedCalls) {
     past_.push_back({request, reply});
   } else {

