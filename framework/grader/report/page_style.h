@@ -83,8 +83,8 @@ pre { margin: 0; font: .8125rem/1.55 ui-monospace, SFMono-Regular, Menlo, Consol
 .values .rest { color: var(--soft); }
 details summary { cursor: pointer; color: var(--soft); font-size: .875rem; }
 details pre { margin-top: .4rem; max-height: 24rem; overflow: auto; }
-.curves { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(26rem, 100%), 1fr)); gap: 1rem; }
-.curves img { display: block; width: 100%; max-width: 44rem; margin: 0 auto; background: #fff; border-radius: 6px; }
+.curves { display: grid; gap: 1.5rem; }
+.curves img { display: block; width: 100%; max-width: 52rem; margin: 0 auto; background: #fff; border-radius: 6px; }
 ul { margin: .3rem 0 0; padding-left: 1.2rem; }
 footer { margin-top: 2rem; }
 footer h2 { font-size: 1rem; }

@@ -53,6 +53,28 @@ std::vector<std::string> namesOf(const Sources& sources) {
   return names;
 }
 
+/// Whether a user without rights can get to this file where it is.
+bool reachableByAll(const fs::path& file) {
+  const auto open = [](const fs::path& path, fs::perms needed) {
+    return (fs::status(path).permissions() & needed) == needed;
+  };
+  if (!open(file, fs::perms::others_read)) return false;
+  for (fs::path folder = file.parent_path(); folder != folder.root_path(); folder = folder.parent_path()) {
+    if (!open(folder, fs::perms::others_exec)) return false;
+  }
+  return true;
+}
+
+/// The precompiled header is large: it is mounted where it is, and copied only when the confined user cannot get there.
+void addPrelude(const Workplace& workplace, Confinement& confinement) {
+  const fs::path file = workplace.prelude();
+  if (reachableByAll(file)) {
+    confinement.renamedFolders[file.parent_path().string()] = "/prelude";
+  } else {
+    confinement.files.push_back({"/prelude/prelude.h.gch", file, "", false});
+  }
+}
+
 Confinement compilation(const Workplace& workplace, const Manifest& manifest, const Sources& sources,
                         const CompileLimits& limits) {
   Confinement confinement;
@@ -61,12 +83,12 @@ Confinement compilation(const Workplace& workplace, const Manifest& manifest, co
   }
   confinement.files.push_back({"/contract/" + manifest.topic + ".h", workplace.contract(manifest.topic), "", false});
   confinement.files.push_back({"/glue.a", workplace.glue(manifest.topic), "", false});
-  confinement.files.push_back({"/prelude/prelude.h.gch", workplace.prelude(), "", false});
+  addPrelude(workplace, confinement);
   addHarnessHeaders(workplace, confinement.files);
   confinement.command = {"/usr/bin/sh", "-c", script(namesOf(sources))};
   confinement.systemFolders = {"/usr/bin", "/usr/lib", "/usr/include"};
   if (fs::exists("/usr/lib64")) confinement.systemFolders.emplace_back("/usr/lib64");
-  confinement.renamedFolders = {{build_paths::eigen, "/eigen"}};
+  confinement.renamedFolders[build_paths::eigen] = "/eigen";
   confinement.scratchBytes = limits.scratch;
   confinement.limits.addressSpace = limits.memory;
   confinement.limits.fileSize = limits.scratch;
