@@ -5,8 +5,8 @@
 /// Units are SI. The axis z points up. All arguments are finite numbers; masses and stiffnesses are positive, rest
 /// lengths and g are not negative.
 ///
-/// The length of a spring between the nodes a and b is L = |xa - xb|. At L = 0 the two nodes coincide and the spring has
-/// no direction: its direction and its force are zero vectors. Every L > 0 has a direction, however short (tests go
+/// The length of a spring between the nodes a and b is L = |xa - xb|. At L = 0 the two nodes coincide and the spring
+/// has no direction: its direction and its force are zero vectors. Every L > 0 has a direction, however short (tests go
 /// down to 1e-100 m).
 
 #include "harness/exercise.h"
@@ -21,8 +21,8 @@ struct Attachment {
 };
 MUELLE_STRUCT(Attachment, x, k, L0)
 
-/// The lecture's "Magnitud", -k (L - L0) [N]: the force on a, counted along the direction from b to a. Negative when the
-/// spring is stretched (it pulls a towards b), positive when it is compressed. At L = 0 the formula holds as it is.
+/// The lecture's "Magnitud", -k (L - L0) [N]: the force on a, counted along the direction from b to a. Negative when
+/// the spring is stretched (it pulls a towards b), positive when it is compressed. At L = 0 the formula holds as it is.
 ///
 /// \param xa position of node a [m]   \param xb position of node b [m]
 /// \param k stiffness [N/m]           \param L0 rest length [m]

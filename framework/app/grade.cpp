@@ -1,12 +1,12 @@
+#include "grader/run/grade.h"
 #include "app/commands.h"
 #include "app/terminal.h"
 #include "grader/report/report.h"
-#include "grader/run/grade.h"
 #include "harness/progress_bar.h"
 
 #include <fmt/format.h>
-#include <filesystem>
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <thread>
@@ -50,9 +50,8 @@ int gradeSubmission(const GradeCommand& command) {
   const int jobs = command.jobs > 0 ? command.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 
   ProgressBar bar("grading");
-  const grader::GradedSubmission graded = grader::grade(job, jobs, [&bar](int done, int all) {
-    bar.update(static_cast<double>(done) / all);
-  });
+  const grader::GradedSubmission graded =
+      grader::grade(job, jobs, [&bar](int done, int all) { bar.update(static_cast<double>(done) / all); });
 
   const fs::path folder = reportFolder(command);
   grader::writeReports(graded, folder);
@@ -60,7 +59,8 @@ int gradeSubmission(const GradeCommand& command) {
   fmt::print("\nreport: {}\n        {}\n        {}\n", (folder / "report.html").string(),
              (folder / "results.json").string(), (folder / "results.xml").string());
   if (!grader::hasGraderFault(graded)) return 0;
-  fmt::print(stderr, "muelle: the grader itself failed on some criteria, which have no score: grade again, or look into {}\n",
+  fmt::print(stderr,
+             "muelle: the grader itself failed on some criteria, which have no score: grade again, or look into {}\n",
              (folder / "report.html").string());
   return 1;
 }
@@ -70,8 +70,9 @@ int gradeSubmission(const GradeCommand& command) {
 void addGrade(CLI::App& app, int& status) {
   const auto options = std::make_shared<GradeCommand>();
   CLI::App* command = app.add_subcommand("grade", "Grade a submission with the hidden tests, in a sandbox");
-  command->add_option("SUBMISSION", options->submission,
-                      "A folder or an archive (zip, tar, 7z) with TOPIC/TOPIC.cpp, or the files flat")
+  command
+      ->add_option("SUBMISSION", options->submission,
+                   "A folder or an archive (zip, tar, 7z) with TOPIC/TOPIC.cpp, or the files flat")
       ->required();
   command->add_option("--out", options->out, "Folder for report.html, results.json and results.xml [out/NAME]");
   command->add_option("--jobs,-j", options->jobs, "Tests at a time [the number of cores]")->check(CLI::Range(1, 256));

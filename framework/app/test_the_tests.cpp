@@ -1,6 +1,7 @@
 #include "app/commands.h"
 #include "grader/matrix/matrix_text.h"
 #include "grader/record.h"
+#include "harness/file.h"
 #include "harness/progress_bar.h"
 
 #include <fmt/format.h>
@@ -66,7 +67,7 @@ int testTheTests(const MatrixCommand& command) {
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   fmt::print("{}time                      {:.0f} s\n", grader::summaryText(grader::summarise(matrices)), seconds);
-  if (!command.csv.empty()) grader::writeWhole(command.csv, grader::matrixCsv(matrices));
+  if (!command.csv.empty()) muelle::writeFile(command.csv, grader::matrixCsv(matrices));
   return good ? 0 : 1;
 }
 

@@ -1,13 +1,10 @@
 #include "grader/record.h"
 
+#include "harness/file.h"
+
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <stdexcept>
-#include <unistd.h>
 
 namespace muelle::grader {
 
@@ -19,7 +16,10 @@ using nlohmann::json;
 std::string dump(const json& document) { return document.dump(1, ' ', false, json::error_handler_t::replace); }
 
 json toJson(const TestOutcome& test) {
-  return {{"name", test.name}, {"property", test.property}, {"passed", test.passed}, {"details", test.details},
+  return {{"name", test.name},
+          {"property", test.property},
+          {"passed", test.passed},
+          {"details", test.details},
           {"call", test.call}};
 }
 
@@ -43,15 +43,19 @@ bool Verdict::passed() const {
 void writeRecord(const Verdict& verdict, const std::filesystem::path& file) {
   json tests = json::array();
   for (const TestOutcome& test : verdict.tests) tests.push_back(toJson(test));
-  writeWhole(file, dump({{"topic", verdict.topic},
-                         {"suite", verdict.suite},
-                         {"tests", tests},
-                         {"misconceptions", verdict.misconceptions},
-                         {"fault", verdict.fault},
-                         {"grader_fault", verdict.graderFault},
-                         {"output", verdict.output},
-                         {"seconds", verdict.seconds},
-                         {"calls", verdict.calls}}));
+  json mistakes = json::array();
+  for (const NamedMistake& mistake : verdict.misconceptions) {
+    mistakes.push_back({{"id", mistake.id}, {"function", mistake.function}});
+  }
+  writeFile(file, dump({{"topic", verdict.topic},
+                        {"suite", verdict.suite},
+                        {"tests", tests},
+                        {"misconceptions", mistakes},
+                        {"fault", verdict.fault},
+                        {"grader_fault", verdict.graderFault},
+                        {"output", verdict.output},
+                        {"seconds", verdict.seconds},
+                        {"calls", verdict.calls}}));
 }
 
 std::optional<Verdict> readRecord(const std::filesystem::path& file) {
@@ -63,7 +67,9 @@ std::optional<Verdict> readRecord(const std::filesystem::path& file) {
     document.at("topic").get_to(verdict.topic);
     document.at("suite").get_to(verdict.suite);
     for (const json& test : document.at("tests")) verdict.tests.push_back(testFromJson(test));
-    document.at("misconceptions").get_to(verdict.misconceptions);
+    for (const json& mistake : document.at("misconceptions")) {
+      verdict.misconceptions.push_back({mistake.at("id"), mistake.at("function")});
+    }
     document.at("fault").get_to(verdict.fault);
     document.at("grader_fault").get_to(verdict.graderFault);
     document.at("output").get_to(verdict.output);
@@ -73,30 +79,6 @@ std::optional<Verdict> readRecord(const std::filesystem::path& file) {
   } catch (const json::exception&) {
     return std::nullopt;
   }
-}
-
-void writeWhole(const std::filesystem::path& file, const std::string& content) {
-  const std::filesystem::path temporary = file.string() + "." + std::to_string(getpid()) + ".part";
-  {
-    std::ofstream stream(temporary, std::ios::binary);
-    stream << content;
-    stream.close();
-    if (!stream) {
-      const std::string reason = std::strerror(errno);
-      std::error_code ignored;
-      std::filesystem::remove(temporary, ignored);
-      throw std::runtime_error("cannot write " + file.string() + ": " + reason);
-    }
-  }
-  std::filesystem::rename(temporary, file);
-}
-
-std::string readWhole(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw std::runtime_error("cannot read " + file.string() + ": " + std::strerror(errno));
-  std::ostringstream content;
-  content << stream.rdbuf();
-  return content.str();
 }
 
 }  // namespace muelle::grader

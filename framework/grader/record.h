@@ -12,10 +12,4 @@ void writeRecord(const Verdict& verdict, const std::filesystem::path& file);
 /// Reads a verdict; nullopt when there is none or it is not readable as one (then it is as if the test had not run).
 std::optional<Verdict> readRecord(const std::filesystem::path& file);
 
-/// Writes a text file through a temporary beside it.
-void writeWhole(const std::filesystem::path& file, const std::string& content);
-
-/// The whole content of a file; throws std::runtime_error naming it.
-std::string readWhole(const std::filesystem::path& file);
-
 }  // namespace muelle::grader

@@ -18,13 +18,20 @@ struct TestOutcome {
   std::string call;                  ///< the latest call before the first failure, as source; "" when none
 };
 
+/// A misconception of the manifest that explains every answer of one function.
+struct NamedMistake {
+  std::string id;
+  std::string function;
+  bool operator==(const NamedMistake&) const = default;
+};
+
 /// What the test process wrote for one criterion: the only thing that earns points.
 struct Verdict {
   std::string topic;
   std::string suite;
   std::vector<TestOutcome> tests;
-  std::vector<std::string> misconceptions;  ///< ids of the manifest whose numbers match exactly
-  std::string fault;        ///< what the student's code did (crash, time-out, forbidden call ...), one line; "" when nothing
+  std::vector<NamedMistake> misconceptions;  ///< those whose numbers match exactly
+  std::string fault;  ///< what the student's code did (crash, time-out, forbidden call ...), one line; "" when nothing
   std::string graderFault;  ///< what went wrong on our side; not empty: no score, run again
   std::string output;       ///< what the student's code printed, cut
   double seconds = 0.0;
@@ -69,7 +76,8 @@ double score(const GradedSubmission& submission);
 double maxScore(const GradedSubmission& submission);
 bool hasGraderFault(const GradedSubmission& submission);
 
-/// Feedback for one criterion at the manifest's level, most important line first: misconception, fault, property, values.
+/// Feedback for one criterion at the manifest's level, most important line first: misconception, fault, property,
+/// values.
 std::vector<std::string> feedback(const Criterion& criterion, const GradedExercise& exercise);
 
 }  // namespace muelle::grader

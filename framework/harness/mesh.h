@@ -14,8 +14,8 @@ struct Mesh {
 
 /// What a generator gives every spring and the whole: total mass M is lumped, m = M / n (slide "Masa/Inercia").
 struct Material {
-  double M = 1.0;   ///< total mass [kg]
-  double k = 100.0; ///< stiffness of each spring [N/m]
+  double M = 1.0;    ///< total mass [kg]
+  double k = 100.0;  ///< stiffness of each spring [N/m]
 };
 
 /// n nodes on a line from `start` to `end`, n - 1 springs at rest. n >= 2.

@@ -1,5 +1,6 @@
 #include "grader/matrix/matrix.h"
 #include "grader/record.h"
+#include "harness/file.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -58,7 +59,7 @@ class Planner {
     row.name = name;
     for (const std::string& file : manifest_.files) {
       if (!fs::exists(folder / file)) throw std::runtime_error(fmt::format("{} is missing", shown(folder / file)));
-      row.sources[file] = readWhole(folder / file);
+      row.sources[file] = readFile(folder / file);
     }
     const std::string& first = manifest_.files.front();
     row.file = shown(folder / first);
@@ -71,7 +72,7 @@ class Planner {
     const fs::path file = submissions() / "mutants.toml";
     std::vector<Survivor> survivors = readSurvivors(file, shown(file));
     const std::string& name = manifest_.files.front();
-    for (const Mutation& mutation : mutations(readWhole(solution() / name))) {
+    for (const Mutation& mutation : mutations(readFile(solution() / name))) {
       Mutant mutant;
       mutant.mutation = mutation;
       const auto listed = std::find_if(survivors.begin(), survivors.end(),

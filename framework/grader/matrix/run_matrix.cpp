@@ -36,7 +36,7 @@ void gradeRow(const Run& run, const Manifest& manifest, MatrixRow& row) {
     const Verdict verdict = runCriterion(run.workplace, manifest, criterion, worker, run.options.grading);
     if (!verdict.graderFault.empty()) row.trouble = criterion.suite + ": " + verdict.graderFault;
     if (!verdict.passed()) row.lost.insert(criterion.suite);
-    row.named.insert(verdict.misconceptions.begin(), verdict.misconceptions.end());
+    for (const NamedMistake& mistake : verdict.misconceptions) row.named.insert(mistake.id);
     graded.verdicts.emplace(criterion.suite, verdict);
   }
   row.points = score(graded);

@@ -59,12 +59,21 @@ State stateOf(const Criterion& criterion, const GradedExercise& exercise) {
   return *points > 0.0 ? State::Partial : State::Failed;
 }
 
+/// One mistake may show in several functions; the manifest may say something else for each, or the same for all.
+bool isStatedFor(const NamedMistake& named, const Manifest& manifest) {
+  return std::ranges::any_of(manifest.misconceptions, [&named](const Misconception& known) {
+    return known.id == named.id && known.function == named.function;
+  });
+}
+
 std::vector<Explanation::Mistake> mistakesOf(const Verdict& verdict, const Manifest& manifest) {
   std::vector<Explanation::Mistake> mistakes;
-  for (const std::string& id : verdict.misconceptions) {
-    const auto found = std::find_if(manifest.misconceptions.begin(), manifest.misconceptions.end(),
-                                    [&](const Misconception& m) { return m.id == id; });
-    if (found != manifest.misconceptions.end()) mistakes.push_back({line(found->says), line(found->hint)});
+  // In the manifest's order: a function that another one is made of stands first.
+  for (const Misconception& known : manifest.misconceptions) {
+    const bool isNamed = std::ranges::any_of(verdict.misconceptions, [&](const NamedMistake& named) {
+      return named.id == known.id && (named.function == known.function || !isStatedFor(named, manifest));
+    });
+    if (isNamed) mistakes.push_back({line(known.says), line(known.hint)});
   }
   return mistakes;
 }

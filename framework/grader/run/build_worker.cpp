@@ -2,8 +2,10 @@
 
 #include "grader/record.h"
 #include "grader/run/digest.h"
+#include "grader/run/shared_prelude.h"
 #include "harness/build_paths.h"
 #include "harness/check/diagnostics.h"
+#include "harness/file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -53,25 +55,12 @@ std::vector<std::string> namesOf(const Sources& sources) {
   return names;
 }
 
-/// Whether a user without rights can get to this file where it is.
-bool reachableByAll(const fs::path& file) {
-  const auto open = [](const fs::path& path, fs::perms needed) {
-    return (fs::status(path).permissions() & needed) == needed;
-  };
-  if (!open(file, fs::perms::others_read)) return false;
-  for (fs::path folder = file.parent_path(); folder != folder.root_path(); folder = folder.parent_path()) {
-    if (!open(folder, fs::perms::others_exec)) return false;
-  }
-  return true;
-}
-
-/// The precompiled header is large: it is mounted where it is, and copied only when the confined user cannot get there.
+/// The precompiled header is large: it is mounted, and handed over as content only when that cannot be.
 void addPrelude(const Workplace& workplace, Confinement& confinement) {
-  const fs::path file = workplace.prelude();
-  if (reachableByAll(file)) {
-    confinement.renamedFolders[file.parent_path().string()] = "/prelude";
+  if (const auto folder = sharedPrelude(workplace)) {
+    confinement.renamedFolders[folder->string()] = "/prelude";
   } else {
-    confinement.files.push_back({"/prelude/prelude.h.gch", file, "", false});
+    confinement.files.push_back({"/prelude/prelude.h.gch", workplace.prelude(), "", false});
   }
 }
 
@@ -117,7 +106,7 @@ BuildOutcome explainLinker(const Workplace& workplace, const std::string& words,
                            const Sources& sources) {
   const fs::path contract = workplace.contract(manifest.topic);
   return {BuildOutcome::Status::CompileError, "it compiles, but does not fit its contract",
-          explainLinkErrors(words, studentFiles(sources), readWhole(contract), contract.filename().string())};
+          explainLinkErrors(words, studentFiles(sources), readFile(contract), contract.filename().string())};
 }
 
 BuildOutcome judge(const Workplace& workplace, const CommandResult& result, const Manifest& manifest,
@@ -155,7 +144,7 @@ std::string workerKey(const Workplace& workplace, const Manifest& manifest, cons
   std::vector<VisibleFile> headers;
   addHarnessHeaders(workplace, headers);
   for (const VisibleFile& header : headers) content += digestOfFile(header.source);
-  return digest({manifest.topic, content, readWhole(workplace.contract(manifest.topic)),
+  return digest({manifest.topic, content, readFile(workplace.contract(manifest.topic)),
                  digestOfFile(workplace.glue(manifest.topic)), script(namesOf(sources)), compilerVersion()});
 }
 
@@ -169,7 +158,7 @@ std::optional<BuildOutcome> readBuildOutcome(const Workplace& workplace, const s
   const fs::path file = workerFolder(workplace, key) / "build.json";
   if (!fs::exists(file)) return std::nullopt;
   try {
-    const nlohmann::json document = nlohmann::json::parse(readWhole(file));
+    const nlohmann::json document = nlohmann::json::parse(readFile(file));
     BuildOutcome outcome;
     outcome.status = static_cast<BuildOutcome::Status>(document.at("status").get<int>());
     document.at("message").get_to(outcome.message);
@@ -195,13 +184,13 @@ BuildOutcome buildWorker(const Workplace& workplace, const Manifest& manifest, c
         sandbox.run(compilation(workplace, manifest, sources, limits), limits.time, limits.product, limits.diagnostics);
     outcome = judge(workplace, result, manifest, sources, limits);
     fs::create_directories(workerFolder(workplace, key));
-    if (outcome.status == BuildOutcome::Status::Built) writeWhole(submissionObject(workplace, key), result.out);
+    if (outcome.status == BuildOutcome::Status::Built) writeFile(submissionObject(workplace, key), result.out);
   } catch (const std::exception& error) {
     outcome = {BuildOutcome::Status::GraderFault, error.what(), ""};
   }
   fs::create_directories(workerFolder(workplace, key));
-  writeWhole(workerFolder(workplace, key) / "build.json",
-             toJson(outcome).dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
+  writeFile(workerFolder(workplace, key) / "build.json",
+            toJson(outcome).dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
   return outcome;
 }
 

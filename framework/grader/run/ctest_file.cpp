@@ -27,7 +27,8 @@ std::string ctestFile(const Workplace& workplace, const std::vector<Manifest>& c
       text += test(fmt::format("grade.{}.{}", topic, criterion.suite),
                    fmt::format("{} criterion {} {}", program, topic, criterion.suite), topic, needsWorker);
     }
-    text += test(fmt::format("grade.{}.curves", topic), fmt::format("{} curves {}", program, topic), topic, needsWorker);
+    text +=
+        test(fmt::format("grade.{}.curves", topic), fmt::format("{} curves {}", program, topic), topic, needsWorker);
   }
   return text;
 }

@@ -1,15 +1,16 @@
 #include "grader/run/digest.h"
 
 #include "grader/record.h"
+#include "harness/file.h"
 
+#include <fmt/format.h>
+#include <openssl/evp.h>
+#include <openssl/hmac.h>
 #include <array>
 #include <cstring>
-#include <fmt/format.h>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <openssl/evp.h>
-#include <openssl/hmac.h>
 #include <stdexcept>
 #include <tuple>
 
@@ -55,7 +56,7 @@ std::string digestOfFile(const std::filesystem::path& file) {
   using Version = std::tuple<std::string, std::filesystem::file_time_type, std::uintmax_t>;
   static std::map<Version, std::string> known;
   static std::mutex mutex;
-  std::error_code ignored;  // a missing file is readWhole's to report
+  std::error_code ignored;  // a missing file is readFile's to report
   const Version version{file.string(), std::filesystem::last_write_time(file, ignored),
                         std::filesystem::file_size(file, ignored)};
   {
@@ -63,7 +64,7 @@ std::string digestOfFile(const std::filesystem::path& file) {
     if (const auto found = known.find(version); found != known.end()) return found->second;
   }
   Sha256 sha;
-  sha.add(readWhole(file));
+  sha.add(readFile(file));
   std::string result = sha.hexadecimal();
   const std::lock_guard lock(mutex);
   known.emplace(version, result);

@@ -1,10 +1,10 @@
 #include "grader/run/grade.h"
 
+#include <fmt/chrono.h>
+#include <fmt/format.h>
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
-#include <fmt/chrono.h>
-#include <fmt/format.h>
 
 namespace muelle::grader {
 
@@ -31,13 +31,10 @@ int finishedTests(const std::string& line) {
 void runCtest(const GradingJob& job, int jobs, const ProgressListener& progress) {
   Pipe out = makePipe();
   ChildSpec spec;
-  spec.command = {"/usr/bin/ctest", "--test-dir", job.workplace.binary.string(), "-L", "^grade$", "-j",
-                  std::to_string(jobs)};
-  spec.environment = {"PATH=/usr/bin:/bin",
-                      "LC_ALL=C.UTF-8",
-                      "MUELLE_SUBMISSION=" + job.submission.path.string(),
-                      "MUELLE_SEED=" + job.options.seed,
-                      "MUELLE_SANDBOX=" + toText(job.options.sandbox)};
+  spec.command = {"/usr/bin/ctest", "--test-dir", job.workplace.binary.string(), "-L",
+                  "^grade$",        "-j",         std::to_string(jobs)};
+  spec.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8", "MUELLE_SUBMISSION=" + job.submission.path.string(),
+                      "MUELLE_SEED=" + job.options.seed, "MUELLE_SANDBOX=" + toText(job.options.sandbox)};
   spec.descriptors = {{1, out.write.get()}, {2, out.write.get()}};
   Child ctest(spec);
   out.write.reset();

@@ -2,9 +2,10 @@
 
 #include "grader/record.h"
 #include "grader/run/time_out_marks.h"
+#include "harness/file.h"
 
-#include <cstdlib>
 #include <fmt/format.h>
+#include <cstdlib>
 #include <random>
 
 namespace muelle::grader {
@@ -40,9 +41,9 @@ std::string keptSeed(const Workplace& workplace) {
   if (!std::filesystem::exists(file)) {
     std::random_device device;
     std::filesystem::create_directories(file.parent_path());
-    writeWhole(file, fmt::format("{:08x}{:08x}{:08x}{:08x}", device(), device(), device(), device()));
+    writeFile(file, fmt::format("{:08x}{:08x}{:08x}{:08x}", device(), device(), device(), device()));
   }
-  return readWhole(file);
+  return readFile(file);
 }
 
 GradingJob jobFromEnvironment(const Workplace& workplace) {

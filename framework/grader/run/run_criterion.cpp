@@ -2,10 +2,11 @@
 
 #include "grader/record.h"
 #include "grader/run/digest.h"
+#include "harness/file.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
 
 namespace muelle::grader {
 
@@ -16,7 +17,9 @@ namespace fs = std::filesystem;
 constexpr auto processLimit = std::chrono::seconds(60);  // the session's own limits come long before
 constexpr const char* curvesSuite = "curves";
 
-fs::path recordFile(const Workplace& workplace, const std::string& key) { return workplace.records() / (key + ".json"); }
+fs::path recordFile(const Workplace& workplace, const std::string& key) {
+  return workplace.records() / (key + ".json");
+}
 
 /// The inputs of an exercise follow from the instructor's seed and the files: another hand-in gets other numbers.
 std::uint64_t inputSeed(const Manifest& manifest, const std::string& workerKey, const GradeOptions& options) {
@@ -26,12 +29,18 @@ std::uint64_t inputSeed(const Manifest& manifest, const std::string& workerKey, 
 std::vector<std::string> commandFor(const Workplace& workplace, const Manifest& manifest, const std::string& workerKey,
                                     const GradeOptions& options) {
   return {workplace.hiddenProgram(manifest.topic).string(),
-          "--topic", manifest.topic,
-          "--worker", submissionObject(workplace, workerKey).string(),
-          "--host", workplace.host().string(),
-          "--core-locks", workplace.coreLocks().string(),
-          "--sandbox", toText(options.sandbox),
-          "--seed", std::to_string(inputSeed(manifest, workerKey, options))};
+          "--topic",
+          manifest.topic,
+          "--worker",
+          submissionObject(workplace, workerKey).string(),
+          "--host",
+          workplace.host().string(),
+          "--core-locks",
+          workplace.coreLocks().string(),
+          "--sandbox",
+          toText(options.sandbox),
+          "--seed",
+          std::to_string(inputSeed(manifest, workerKey, options))};
 }
 
 /// Runs a hidden test program; its record, or a verdict that says what is wrong with us.
@@ -71,7 +80,7 @@ std::vector<std::string> readSvgs(const fs::path& folder) {
   }
   std::sort(files.begin(), files.end());
   std::vector<std::string> svgs;
-  for (const fs::path& file : files) svgs.push_back(readWhole(file));
+  for (const fs::path& file : files) svgs.push_back(readFile(file));
   return svgs;
 }
 
@@ -79,8 +88,8 @@ std::vector<std::string> readSvgs(const fs::path& folder) {
 
 std::string verdictKey(const Workplace& workplace, const Manifest& manifest, const std::string& suite,
                        const std::string& workerKey, const GradeOptions& options) {
-  return digest({workerKey, suite, digestOfFile(workplace.hiddenProgram(manifest.topic)), digestOfFile(workplace.host()),
-                 options.seed, toText(options.sandbox)});
+  return digest({workerKey, suite, digestOfFile(workplace.hiddenProgram(manifest.topic)),
+                 digestOfFile(workplace.host()), options.seed, toText(options.sandbox)});
 }
 
 std::string curvesKey(const Workplace& workplace, const Manifest& manifest, const std::string& workerKey,

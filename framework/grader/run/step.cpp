@@ -10,9 +10,10 @@
 
 #include "grader/record.h"
 #include "grader/run/grade.h"
+#include "harness/file.h"
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <algorithm>
 #include <iostream>
 
 namespace {
@@ -20,6 +21,7 @@ namespace {
 using namespace muelle::grader;
 using muelle::Criterion;
 using muelle::Manifest;
+using muelle::writeFile;
 
 constexpr int passed = 0;
 constexpr int failed = 1;
@@ -66,7 +68,7 @@ int curves(const GradingJob& job, const Manifest& manifest) {
 int run(const std::vector<std::string>& arguments) {
   const Workplace workplace = Workplace::ofThisBuild();
   if (arguments.size() == 2 && arguments[0] == "ctest-file") {
-    writeWhole(arguments[1], ctestFile(workplace, muelle::readCourse(workplace.exercises())));
+    writeFile(arguments[1], ctestFile(workplace, muelle::readCourse(workplace.exercises())));
     return passed;
   }
   if (arguments.size() < 2) throw std::runtime_error("usage: muelle-grade-step build|criterion|curves TOPIC [SUITE]");

@@ -1,6 +1,7 @@
 #include "grader/run/time_out_marks.h"
 
 #include "grader/record.h"
+#include "harness/file.h"
 
 namespace muelle::grader {
 
@@ -11,11 +12,11 @@ constexpr const char* prefix = "timeout.";
 std::optional<std::string> TimeOutMarks::find(const std::string& function) const {
   const std::filesystem::path file = folder_ / (prefix + function);
   if (!std::filesystem::exists(file)) return std::nullopt;
-  return readWhole(file);
+  return readFile(file);
 }
 
 void TimeOutMarks::add(const std::string& function, const std::string& suite) const {
-  if (!find(function)) writeWhole(folder_ / (prefix + function), suite);
+  if (!find(function)) writeFile(folder_ / (prefix + function), suite);
 }
 
 void TimeOutMarks::clear() const {

@@ -13,12 +13,16 @@ struct Workplace {
   static Workplace ofThisBuild();
 
   std::filesystem::path exercises() const { return source / "exercises"; }
-  std::filesystem::path contract(const std::string& topic) const { return source / "exercises" / topic / (topic + ".h"); }
+  std::filesystem::path contract(const std::string& topic) const {
+    return source / "exercises" / topic / (topic + ".h");
+  }
   std::filesystem::path harness() const { return source / "framework" / "harness"; }
   std::filesystem::path prelude() const { return binary / "prelude" / "prelude.h.gch"; }
   /// The trusted half of every worker of this exercise: dispatch table and codecs.
   std::filesystem::path glue(const std::string& topic) const { return binary / "lib" / ("libglue_" + topic + ".a"); }
-  std::filesystem::path hiddenProgram(const std::string& topic) const { return binary / "hidden" / ("hidden_" + topic); }
+  std::filesystem::path hiddenProgram(const std::string& topic) const {
+    return binary / "hidden" / ("hidden_" + topic);
+  }
   std::filesystem::path host() const { return binary / "bin" / "muelle-worker"; }
   std::filesystem::path stepProgram() const { return binary / "bin" / "muelle-grade-step"; }
 

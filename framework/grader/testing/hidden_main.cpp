@@ -14,7 +14,6 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
 
 std::vector<muelle::Figure> muelleDemo();
@@ -97,9 +96,7 @@ void grade(const Options& options, Session& session, Verdict& verdict) {
 void diagnose(Verdict& verdict) {
   if (verdict.passed() || !verdict.graderFault.empty()) return;
   for (const auto& [function, history] : CallHistoryBase::all()) {
-    const std::string id = history->diagnosis();
-    const bool known = std::ranges::find(verdict.misconceptions, id) != verdict.misconceptions.end();
-    if (!id.empty() && !known) verdict.misconceptions.push_back(id);  // several functions may show one mistake
+    if (const std::string id = history->diagnosis(); !id.empty()) verdict.misconceptions.push_back({id, function});
   }
 }
 

@@ -20,7 +20,7 @@ class WireError : public std::runtime_error {
 class Writer {
  public:
   template <class Number>
-    requires std::is_arithmetic_v<Number>
+  requires std::is_arithmetic_v<Number>
   void number(Number value) {
     const auto* bytes = reinterpret_cast<const std::byte*>(&value);
     bytes_.insert(bytes_.end(), bytes, bytes + sizeof value);
@@ -44,8 +44,7 @@ class Reader {
   explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
   template <class Number>
-    requires std::is_arithmetic_v<Number>
-  Number number() {
+  requires std::is_arithmetic_v<Number> Number number() {
     Number value;
     std::memcpy(&value, take(sizeof value), sizeof value);
     return value;
@@ -59,7 +58,8 @@ class Reader {
   /// A length whose elements take at least `bytesEach` of what is left of the message.
   std::size_t length(std::size_t bytesEach) {
     const auto value = number<std::uint64_t>();
-    if (value > remaining() / bytesEach) throw WireError("a length of " + std::to_string(value) + " exceeds its message");
+    if (value > remaining() / bytesEach)
+      throw WireError("a length of " + std::to_string(value) + " exceeds its message");
     return static_cast<std::size_t>(value);
   }
 

@@ -5,17 +5,17 @@ namespace muelle::grader::wire {
 
 /// What a frame says.
 enum class FrameKind : std::uint32_t {
-  Ready = 1,      ///< worker: the submission is loaded
-  LoadError = 2,  ///< worker: it could not be loaded; payload: text
-  Call = 3,       ///< test: call function `target`; payload: arguments
-  Result = 4,     ///< worker: what the function returned, then its out-parameters
-  Callback = 5,   ///< worker: call the test's function `target`; payload: arguments
-  Answer = 6,     ///< test: what that function returned
-  Thrown = 7,     ///< worker: the function threw; payload: text
-  Refused = 8,    ///< worker: an assertion of Eigen refused an operation; payload: condition, function, index by lines
-  Died = 9,       ///< worker: a signal ended it; payload: "stack overflow", or the forbidden system call's name
-  HostError = 10, ///< worker: the host could not confine itself; the grader's fault
-  Confined = 11,  ///< worker: the filter stands; whatever comes later may be the student's word
+  Ready = 1,       ///< worker: the submission is loaded
+  LoadError = 2,   ///< worker: it could not be loaded; payload: text
+  Call = 3,        ///< test: call function `target`; payload: arguments
+  Result = 4,      ///< worker: what the function returned, then its out-parameters
+  Callback = 5,    ///< worker: call the test's function `target`; payload: arguments
+  Answer = 6,      ///< test: what that function returned
+  Thrown = 7,      ///< worker: the function threw; payload: text
+  Refused = 8,     ///< worker: an assertion of Eigen refused an operation; payload: condition, function, index by lines
+  Died = 9,        ///< worker: a signal ended it; payload: "stack overflow", or the forbidden system call's name
+  HostError = 10,  ///< worker: the host could not confine itself; the grader's fault
+  Confined = 11,   ///< worker: the filter stands; whatever comes later may be the student's word
 };
 
 /// Precedes every message. The nonce is fresh and random for each call; every frame of that call repeats it.

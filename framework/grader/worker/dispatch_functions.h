@@ -67,11 +67,10 @@ struct Serve<Result(Args...)> {
 
 }  // namespace muelle::grader::worker
 
-#define MUELLE_SERVED_FUNCTION_(function)                      \
-  ::muelle::grader::worker::ServedFunction{                    \
-      ::muelle::grader::wire::functionId(#function), #function, \
-      &::muelle::grader::worker::Serve<decltype(::function)>::call<&::function>},
-#define MUELLE_FUNCTIONS(...)                                                                      \
-  namespace muelle::grader::worker {                                                               \
+#define MUELLE_SERVED_FUNCTION_(function)                                                            \
+  ::muelle::grader::worker::ServedFunction{::muelle::grader::wire::functionId(#function), #function, \
+                                           &::muelle::grader::worker::Serve<decltype(::function)>::call<&::function>},
+#define MUELLE_FUNCTIONS(...)                                                                           \
+  namespace muelle::grader::worker {                                                                    \
   constexpr ServedFunction servedFunctions[] = {MUELLE_FOR_EACH(MUELLE_SERVED_FUNCTION_, __VA_ARGS__)}; \
   }

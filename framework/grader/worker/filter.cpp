@@ -1,13 +1,13 @@
 #include "grader/worker/filter.h"
 
-#include <array>
-#include <cerrno>
-#include <memory>
 #include <seccomp.h>
-#include <stdexcept>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <unistd.h>
+#include <array>
+#include <cerrno>
+#include <memory>
+#include <stdexcept>
 
 namespace muelle::grader::worker {
 
@@ -15,11 +15,11 @@ namespace {
 
 /// Arithmetic, memory, the message pipes, and an orderly or violent end.
 constexpr std::array runningCalls = {
-    SCMP_SYS(read),          SCMP_SYS(write),     SCMP_SYS(brk),           SCMP_SYS(munmap),
-    SCMP_SYS(mremap),        SCMP_SYS(madvise),   SCMP_SYS(futex),         SCMP_SYS(exit_group),
-    SCMP_SYS(exit),          SCMP_SYS(getpid),    SCMP_SYS(gettid),        SCMP_SYS(rt_sigprocmask),
-    SCMP_SYS(rt_sigreturn),  SCMP_SYS(clock_gettime), SCMP_SYS(gettimeofday), SCMP_SYS(time),
-    SCMP_SYS(getrandom),     SCMP_SYS(fstat),     SCMP_SYS(newfstatat),    SCMP_SYS(restart_syscall),
+    SCMP_SYS(read),         SCMP_SYS(write),         SCMP_SYS(brk),          SCMP_SYS(munmap),
+    SCMP_SYS(mremap),       SCMP_SYS(madvise),       SCMP_SYS(futex),        SCMP_SYS(exit_group),
+    SCMP_SYS(exit),         SCMP_SYS(getpid),        SCMP_SYS(gettid),       SCMP_SYS(rt_sigprocmask),
+    SCMP_SYS(rt_sigreturn), SCMP_SYS(clock_gettime), SCMP_SYS(gettimeofday), SCMP_SYS(time),
+    SCMP_SYS(getrandom),    SCMP_SYS(fstat),         SCMP_SYS(newfstatat),   SCMP_SYS(restart_syscall),
     SCMP_SYS(sched_yield),
 };
 
@@ -30,11 +30,31 @@ constexpr std::array loadingCalls = {
 
 /// What a program without bad intentions may try; named in the message.
 constexpr std::array namedCalls = {
-    SCMP_SYS(open),   SCMP_SYS(openat),    SCMP_SYS(creat),           SCMP_SYS(close),  SCMP_SYS(socket),
-    SCMP_SYS(clone),  SCMP_SYS(clone3),    SCMP_SYS(fork),            SCMP_SYS(vfork),  SCMP_SYS(execve),
-    SCMP_SYS(kill),   SCMP_SYS(nanosleep), SCMP_SYS(clock_nanosleep), SCMP_SYS(pause),  SCMP_SYS(rt_sigaction),
-    SCMP_SYS(ioctl),  SCMP_SYS(unlink),    SCMP_SYS(prlimit64),       SCMP_SYS(setrlimit), SCMP_SYS(ptrace),
-    SCMP_SYS(poll),   SCMP_SYS(select),    SCMP_SYS(getppid),         SCMP_SYS(readlink), SCMP_SYS(pipe2),
+    SCMP_SYS(open),
+    SCMP_SYS(openat),
+    SCMP_SYS(creat),
+    SCMP_SYS(close),
+    SCMP_SYS(socket),
+    SCMP_SYS(clone),
+    SCMP_SYS(clone3),
+    SCMP_SYS(fork),
+    SCMP_SYS(vfork),
+    SCMP_SYS(execve),
+    SCMP_SYS(kill),
+    SCMP_SYS(nanosleep),
+    SCMP_SYS(clock_nanosleep),
+    SCMP_SYS(pause),
+    SCMP_SYS(rt_sigaction),
+    SCMP_SYS(ioctl),
+    SCMP_SYS(unlink),
+    SCMP_SYS(prlimit64),
+    SCMP_SYS(setrlimit),
+    SCMP_SYS(ptrace),
+    SCMP_SYS(poll),
+    SCMP_SYS(select),
+    SCMP_SYS(getppid),
+    SCMP_SYS(readlink),
+    SCMP_SYS(pipe2),
 };
 
 /// A libseccomp filter, freed with its owner.

@@ -31,8 +31,8 @@ struct ServedFunction {
 enum class Served { Returned, Threw, Unknown };
 
 /// The one symbol that the host looks up in a submission. `text` receives an exception's words, `name` the function's.
-using ServeFunction = Served (*)(std::uint32_t id, const std::vector<std::byte>& arguments, std::vector<std::byte>& result,
-                                 std::string& text, HostPort& port);
+using ServeFunction = Served (*)(std::uint32_t id, const std::vector<std::byte>& arguments,
+                                 std::vector<std::byte>& result, std::string& text, HostPort& port);
 inline constexpr const char* serveSymbol = "muelleServe";
 
 }  // namespace muelle::grader::worker

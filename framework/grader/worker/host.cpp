@@ -9,14 +9,14 @@
 #include "grader/worker/glue.h"
 #include "grader/worker/limits.h"
 
+#include <dlfcn.h>
+#include <sys/prctl.h>
+#include <unistd.h>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <dlfcn.h>
 #include <exception>
 #include <filesystem>
-#include <sys/prctl.h>
-#include <unistd.h>
 
 namespace {
 

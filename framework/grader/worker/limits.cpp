@@ -1,7 +1,7 @@
 #include "grader/worker/limits.h"
 
-#include <stdexcept>
 #include <sys/resource.h>
+#include <stdexcept>
 
 namespace muelle::grader::worker {
 

@@ -65,11 +65,35 @@ std::string declarationIn(std::string_view contract, const std::string& name) {
   return "";
 }
 
+/// "cross" of "Eigen::MatrixBase<...>::cross<...>": Eigen declares everything at once and keeps some of it in headers
+/// of its own. "" when the function is not Eigen's.
+std::string eigenMember(std::string_view name) {
+  int depth = 0;
+  std::size_t start = 0;   // after the return type, if there is one
+  std::size_t member = 0;  // after the last ::
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (name[i] == '<') ++depth;
+    if (name[i] == '>') --depth;
+    if (depth > 0) continue;
+    if (name[i] == ' ') start = i + 1;
+    if (name[i] == ' ' || name[i] == ':') member = i + 1;
+  }
+  if (!name.substr(start).starts_with("Eigen::")) return "";
+  const std::string_view rest = name.substr(member);
+  return std::string(rest.substr(0, rest.find_first_of("<(")));
+}
+
 /// One missing function.
 std::string explainMissing(const std::string& name, const std::vector<StudentFile>& files, std::string_view contract,
                            std::string_view contractName) {
   const std::string declaration = declarationIn(contract, name);
   const std::string fileName = files.empty() ? "the file" : files.front().name;
+  if (const std::string member = eigenMember(name); !member.empty()) {
+    return fmt::format(
+        "{0} uses Eigen's {1}(), which stands in another header\n      = add  #include <Eigen/Dense>  below "
+        "the include of {2}\n",
+        fileName, member, contractName);
+  }
   if (declaration.empty()) return fmt::format("{} calls {}, which is written nowhere\n", fileName, name);
   std::string text = fmt::format("{} declares this function, and {} does not define it:\n      {}\n", contractName,
                                  fileName, declaration);

@@ -206,12 +206,12 @@ void readCriteria(const ManifestReader& reader, const toml::table& table, Manife
 }
 
 void readMisconceptions(const ManifestReader& reader, const toml::table& table, Manifest& manifest) {
-  std::set<std::string> ids;
+  std::set<std::pair<std::string, std::string>> known;
   for (const toml::table* one : reader.tables(table, "misconception")) {
     const Misconception misconception = readMisconception(reader, *one);
-    if (!ids.insert(misconception.id).second) {
+    if (!known.insert({misconception.id, misconception.function}).second) {
       reader.fail(*one->get("id"), "id",
-                  fmt::format("'{}' is already that of another misconception", misconception.id));
+                  fmt::format("'{}' is already that of another misconception of that function", misconception.id));
     }
     manifest.misconceptions.push_back(misconception);
   }

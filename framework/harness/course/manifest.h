@@ -14,8 +14,8 @@ enum class FeedbackLevel {
 
 /// One line of the rubric: a suite of the hidden tests.
 struct Criterion {
-  std::string name;                    ///< shown: "Hooke's force on both nodes"
-  std::string suite;                   ///< GoogleTest suite: "HookeForce"
+  std::string name;   ///< shown: "Hooke's force on both nodes"
+  std::string suite;  ///< GoogleTest suite: "HookeForce"
   double points = 0.0;
   bool partial = false;                ///< points in proportion to the tests passed; otherwise all or nothing
   std::string hint;                    ///< one sentence: where to look
@@ -32,11 +32,11 @@ struct Misconception {
 
 /// What exercises/TOPIC/exercise.toml says.
 struct Manifest {
-  std::string topic;              ///< the folder's name: "spring_1d"
-  int order = 0;                  ///< place in the course
+  std::string topic;  ///< the folder's name: "spring_1d"
+  int order = 0;      ///< place in the course
   std::string title;
-  double points = 0.0;            ///< the sum of the criteria's
-  std::vector<std::string> files; ///< what is handed in: "spring_1d.cpp"
+  double points = 0.0;             ///< the sum of the criteria's
+  std::vector<std::string> files;  ///< what is handed in: "spring_1d.cpp"
   FeedbackLevel feedback = FeedbackLevel::Values;
   std::vector<std::string> slides;  ///< titles of the lecture's slides
   std::vector<Criterion> criteria;

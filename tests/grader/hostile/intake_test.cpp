@@ -8,6 +8,7 @@
 
 #include "grader/record.h"
 #include "harness/build_paths.h"
+#include "harness/file.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +51,7 @@ TEST_F(HostileIntake, FolderThatIsALink) {
 
 TEST_F(HostileIntake, HardLinkToTheSolution) {
   std::error_code error;
-  const fs::path copy = folder_.write("elsewhere/copy.cpp", readWhole(solution));
+  const fs::path copy = folder_.write("elsewhere/copy.cpp", readFile(solution));
   fs::create_hard_link(copy, source(), error);
   if (error) GTEST_SKIP() << "the file system makes no hard links";
   expectNothingFor(folder_.path());
@@ -85,7 +86,7 @@ TEST_F(HostileIntake, SparseSourceOfATerabyte) {
 
 TEST_F(HostileIntake, ArchiveThatClimbsOut) {
   const fs::path archive = folder_.path() / "hand-in.tar";
-  const std::string text = readWhole(solution);
+  const std::string text = readFile(solution);
   writeArchive(archive, Format::Tar,
                {{"../dropped", text},
                 {"/tmp/dropped", text},
@@ -99,7 +100,7 @@ TEST_F(HostileIntake, ArchiveThatClimbsOut) {
 
 TEST_F(HostileIntake, ArchiveWithTwoEntriesOfOneName) {
   const fs::path archive = folder_.path() / "hand-in.zip";
-  const std::string text = readWhole(solution);
+  const std::string text = readFile(solution);
   writeArchive(archive, Format::Zip, {{"spring_1d/spring_1d.cpp", text}, {"spring_1d/spring_1d.cpp", text + "\n"}});
   expectNothingFor(archive);
 }
@@ -133,7 +134,7 @@ TEST_F(HostileIntake, TenGigabytesOfZeros) {
                               archive.filename().string() + " && head -c 10485760 /dev/zero | gzip -9 > member.gz";
   ASSERT_EQ(std::system(command.c_str()), 0);
   fs::remove(zeros);
-  const std::string packed = readWhole(member);
+  const std::string packed = readFile(member);
   std::ofstream stream(archive, std::ios::app | std::ios::binary);
   for (int i = 0; i < 1025; ++i) stream << packed;
   stream.close();
@@ -146,7 +147,7 @@ TEST_F(HostileIntake, ManyEntries) {
   const fs::path archive = folder_.path() / "hand-in.tar";
   std::vector<ArchiveEntry> entries;
   for (int i = 0; i < 30'000; ++i) entries.push_back({"entry" + std::to_string(i), ""});
-  entries.push_back({"spring_1d.cpp", readWhole(solution)});
+  entries.push_back({"spring_1d.cpp", readFile(solution)});
   writeArchive(archive, Format::Tar, entries);
   expectNothingFor(archive);
 }

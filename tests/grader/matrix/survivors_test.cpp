@@ -1,6 +1,7 @@
 #include "grader/matrix/survivors.h"
 
 #include "grader/record.h"
+#include "harness/file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,18 +10,18 @@
 
 namespace {
 
+using muelle::writeFile;
 using muelle::grader::Mutation;
 using muelle::grader::mutations;
 using muelle::grader::readSurvivors;
 using muelle::grader::Survivor;
-using muelle::grader::writeWhole;
 
 class SurvivorList : public ::testing::Test {
  protected:
   ~SurvivorList() override { std::filesystem::remove(file_); }
 
   std::vector<Survivor> read(const std::string& content) {
-    writeWhole(file_, content);
+    writeFile(file_, content);
     return readSurvivors(file_, "mutants.toml");
   }
 

@@ -10,7 +10,7 @@ using Lines = std::vector<std::string>;
 
 GradedExercise failing(FeedbackLevel level, bool named) {
   Verdict v = verdict("HookeForce", 1, 1);
-  if (named) v.misconceptions = {"wrong_sign"};
+  if (named) v.misconceptions = {{"wrong_sign", "springForce"}};
   v.output = "k = 100\n";
   GradedExercise exercise = with(exerciseWithoutVerdicts(), v);
   exercise.manifest.feedback = level;
@@ -87,7 +87,7 @@ TEST(Feedback, TellsTheGradersFaultApart) {
 
 TEST(Feedback, IgnoresAnUnknownMisconception) {
   GradedExercise exercise = failing(FeedbackLevel::Property, false);
-  exercise.verdicts.at("HookeForce").misconceptions = {"invented"};
+  exercise.verdicts.at("HookeForce").misconceptions = {{"invented", "springForce"}};
   EXPECT_EQ(hookeFeedback(exercise), (Lines{property, hint}));
 }
 

@@ -78,7 +78,7 @@ std::string drawing() {
 
 GradedSubmission sampleSubmission() {
   Verdict mistaken = verdict("HookeForce", 1, 2);
-  mistaken.misconceptions = {"wrong_sign"};
+  mistaken.misconceptions = {{"wrong_sign", "springForce"}};
   mistaken.output = "L = 2.75\nL = 3.1\n";
   Verdict crashed = verdict("HookeForce", 1, 0);
   crashed.fault = "segmentation fault in springForce";
@@ -143,7 +143,7 @@ GradedSubmission hostileSubmission(const std::string& text) {
   Verdict v = verdict("HookeForce", 0, 1);
   v.fault = text;
   v.output = text;
-  v.misconceptions = {text};
+  v.misconceptions = {{text, text}};
   v.tests[0].details = {text, "value: got " + text + ", expected " + text + " (" + text};
   v.tests[0].call = text;
   v.tests[0].property = text;

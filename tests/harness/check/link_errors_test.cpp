@@ -52,6 +52,16 @@ TEST(LinkErrors, AHelperThatIsWrittenNowhereIsNamed) {
             "spring.cpp calls stretch, which is written nowhere\n");
 }
 
+TEST(LinkErrors, AFunctionOfAnotherHeaderOfEigenIsNamed) {
+  const std::string vector = "Eigen::Matrix<double, 3, 1, 0, 3, 1>";
+  const std::string base = "Eigen::MatrixBase<" + vector + " >::";
+  const std::string words = "mold: error: undefined symbol: " + base + "cross_product_return_type<" + vector +
+                            " >::type " + base + "cross<" + vector + " >(" + base + " const&) const\n";
+  EXPECT_EQ(explain(words, ""),
+            "spring.cpp uses Eigen's cross(), which stands in another header\n"
+            "      = add  #include <Eigen/Dense>  below the include of spring.h\n");
+}
+
 TEST(LinkErrors, MainIsForTheCheckingProgram) {
   const std::string message = "your file defines main: leave it out, the checking program has its own\n";
   EXPECT_EQ(explain("mold: error: duplicate symbol: a.o: b.o: main\n", ""), message);

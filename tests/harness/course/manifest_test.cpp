@@ -124,9 +124,10 @@ TEST_F(ManifestFile, SuitesAndIdsAreUnique) {
   EXPECT_EQ(complaint(with("ThirdLaw", "HookeForce")),
             "spring_1d/exercise.toml:17: key 'suite': 'HookeForce' is already that of another criterion");
   const std::string twice =
-      good + "[[misconception]]\nid = \"wrong_sign\"\nfunction = \"f\"\nsays = \"s\"\nhint = \"h\"\n";
-  EXPECT_EQ(complaint(twice),
-            "spring_1d/exercise.toml:29: key 'id': 'wrong_sign' is already that of another misconception");
+      good + "[[misconception]]\nid = \"wrong_sign\"\nfunction = \"springForce\"\nsays = \"s\"\nhint = \"h\"\n";
+  EXPECT_EQ(
+      complaint(twice),
+      "spring_1d/exercise.toml:29: key 'id': 'wrong_sign' is already that of another misconception of that function");
 }
 
 TEST_F(ManifestFile, FilesArePlainSourceNames) {
