@@ -105,8 +105,8 @@ void Collector::ignore(const RelativePath& path, const std::string& why) {
 bool Collector::isHandedOut(const RelativePath& path) const {
   if (path.size() < 2 || !isTopic(path[path.size() - 2])) return false;
   const std::string& name = path.back();
-  return name == path[path.size() - 2] + ".h" || name == "README.md" || name == "exercise.toml" || name == "demo.cpp" ||
-         name == "public_test.cpp";
+  return name == path[path.size() - 2] + ".h" || name == "README.md" || name == "figure.svg" ||
+         name == "exercise.toml" || name == "demo.cpp" || name == "public_test.cpp";
 }
 
 std::string Collector::misnamed(const std::string& name) const {

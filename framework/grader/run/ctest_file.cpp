@@ -6,29 +6,29 @@ namespace muelle::grader {
 
 namespace {
 
-/// add_test and set_tests_properties as they stand in a CTestTestfile.cmake.
-std::string test(const std::string& name, const std::string& command, const std::string& topic,
-                 const std::string& properties) {
-  return fmt::format("add_test([=[{0}]=] {1})\nset_tests_properties([=[{0}]=] PROPERTIES LABELS \"grade;{2}\" {3})\n",
-                     name, command, topic, properties);
+/// One test as it stands in a CTestTestfile.cmake: grade.TOPIC.NAME runs the step program with `step`.
+/// `ctest --preset` is started in the checkout, so that is where a relative MUELLE_SUBMISSION starts.
+std::string test(const Workplace& workplace, const std::string& topic, const std::string& name, const std::string& step,
+                 const std::string& fixture) {
+  return fmt::format(
+      "add_test([=[grade.{0}.{1}]=] [=[{2}]=] {3})\n"
+      "set_tests_properties([=[grade.{0}.{1}]=] PROPERTIES LABELS \"grade;{0}\" WORKING_DIRECTORY [=[{4}]=] {5} "
+      "worker_{0})\n",
+      topic, name, workplace.stepProgram().string(), step, workplace.source.string(), fixture);
 }
 
 }  // namespace
 
 std::string ctestFile(const Workplace& workplace, const std::vector<Manifest>& course) {
   std::string text = "# Generated from exercises/*/exercise.toml: one test per criterion of a submission.\n";
-  const std::string program = fmt::format("[=[{}]=]", workplace.stepProgram().string());
   for (const Manifest& manifest : course) {
     const std::string& topic = manifest.topic;
-    const std::string needsWorker = fmt::format("FIXTURES_REQUIRED worker_{}", topic);
-    text += test(fmt::format("grade.{}.build", topic), fmt::format("{} build {}", program, topic), topic,
-                 fmt::format("FIXTURES_SETUP worker_{}", topic));
+    text += test(workplace, topic, "build", "build " + topic, "FIXTURES_SETUP");
     for (const Criterion& criterion : manifest.criteria) {
-      text += test(fmt::format("grade.{}.{}", topic, criterion.suite),
-                   fmt::format("{} criterion {} {}", program, topic, criterion.suite), topic, needsWorker);
+      text += test(workplace, topic, criterion.suite, fmt::format("criterion {} {}", topic, criterion.suite),
+                   "FIXTURES_REQUIRED");
     }
-    text +=
-        test(fmt::format("grade.{}.curves", topic), fmt::format("{} curves {}", program, topic), topic, needsWorker);
+    text += test(workplace, topic, "curves", "curves " + topic, "FIXTURES_REQUIRED");
   }
   return text;
 }
