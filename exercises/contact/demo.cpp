@@ -63,7 +63,7 @@ muelle::Figure paths() {
     const muelle::Trajectory run = drop(
         Vec3(offset, 0, 1),
         [=](const Vec3& x, const Vec3& v) { return submission::sphereContact(x, v, origin, R, k, d); }, 2e-3, 0.7);
-    panel.line(fmt::format("{:g} m off", offset), run.position(0), run.position(2));
+    panel.line(fmt::format("{:g} m", offset), run.position(0), run.position(2));
   }
   std::vector<double> circleX, circleZ;
   for (int i = 0; i <= 90; ++i) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -105,6 +106,16 @@ Figure::PanelBuilder& Figure::PanelBuilder::logY() {
   return *this;
 }
 
+namespace {
+
+/// A reference is drawn as a line. Through markers it is one only where they go from left to right: markers above each
+/// other, one a node, would be joined by a stroke that means nothing.
+bool hasReferenceCurve(const Series& series) {
+  return series.pen != Pen::Points || std::ranges::adjacent_find(series.x, std::greater_equal()) == series.x.end();
+}
+
+}  // namespace
+
 Figure Figure::over(const Figure& reference) const {
   if (reference.panels_.size() != panels_.size()) {
     throw std::invalid_argument(
@@ -114,7 +125,7 @@ Figure Figure::over(const Figure& reference) const {
   for (std::size_t i = 0; i < panels_.size(); ++i) {
     std::vector<Series> under;
     for (const Series& series : reference.panels_[i].series) {
-      if (series.pen != Pen::Reference) under.push_back(series);
+      if (series.pen != Pen::Reference && hasReferenceCurve(series)) under.push_back(series);
     }
     for (std::size_t j = 0; j < under.size(); ++j) {
       under[j].pen = Pen::Reference;

@@ -77,7 +77,8 @@ class Figure {
 
   /// This figure with the curves of `reference` underneath in the reference pen: what the grader draws, a submission's
   /// figure over that of the oracle. One curve of a panel is named "reference: its name", several share the name
-  /// "reference". Curves that are already drawn as references (an analytic solution) are not drawn twice.
+  /// "reference". Curves that are already drawn as references (an analytic solution) are not drawn twice,
+  /// nor are markers that do not go from left to right.
   /// Throws std::invalid_argument when the panels differ in number.
   Figure over(const Figure& reference) const;
 

@@ -241,6 +241,14 @@ TEST(FigureOver, PutsTheCurvesOfTheReferenceUnderneath) {
   EXPECT_EQ(second[3].name, "");
 }
 
+TEST(FigureOver, MarkersAboveEachOtherHaveNoReferenceLine) {
+  Figure figure("column", "A column", "time [s]");
+  figure.panel("height [m]").points("at rest", {4, 4, 4}, {0.1, 0.2, 0.3}).points("falling", {1, 2, 3}, {3, 2, 1});
+  const Figure both = figure.over(figure);
+  ASSERT_EQ(both.panels()[0].series.size(), 3U);
+  EXPECT_EQ(both.panels()[0].series.back().name, "reference: falling");
+}
+
 TEST(FigureOver, RefusesAFigureOfOtherPanels) {
   EXPECT_THROW(example().over(Figure("id", "title", "x")), std::invalid_argument);
 }
