@@ -30,7 +30,6 @@ GradingJob openJob(const Workplace& workplace, const std::filesystem::path& subm
   job.workplace = workplace;
   job.course = readCourse(workplace.exercises());
   job.submission = takeSubmission(submission, job.course);
-  job.submission.path = std::filesystem::absolute(submission);
   job.options = std::move(options);
   if (job.options.seed.empty()) job.options.seed = keptSeed(workplace);
   return job;
