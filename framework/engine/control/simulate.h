@@ -1,0 +1,65 @@
+#pragma once
+#include "engine/method.h"
+#include "harness/probes.h"
+#include "harness/trajectory.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace muelle::engine {
+
+/// How a run goes.
+struct RunOptions {
+  double duration = 1.0;   ///< [s], positive
+  double h = 0.0;          ///< step [s] of a fixed-step method, first step of an adaptive one (0: chosen)
+  bool fixedStep = false;  ///< take h throughout even when the method has an error estimate
+  Tolerance tolerance = {};
+  double largestStep = std::numeric_limits<double>::infinity();            ///< [s], for adaptive methods
+  long long mostSteps = 100'000'000;                                       ///< stop, with a report, after so many steps
+  long long mostForceEvaluations = std::numeric_limits<long long>::max();  ///< the same for force evaluations
+  double outputInterval = 0.0;           ///< [s]; 0: every step. Outputs between steps come from dense output
+  std::vector<double> outputTimes = {};  ///< besides: exact times to be hit by a step [s], ascending
+  std::vector<Probe> probes = {};
+  bool locateEvents = true;           ///< integrate to declared times and to zeros of guards, and restart there
+  bool compensated = false;           ///< compensated summation of the state and of the time (long runs)
+  bool checkStability = true;         ///< warn before the run of a step beyond the stability limit
+  bool checkNumericalDamping = true;  ///< warn when the method damps modes that carry energy more than the scene does
+  bool keepStates = true;             ///< record the states; false keeps only the last (long runs)
+  double explosion = 1e6;             ///< stop when the kinetic energy exceeds this multiple of its natural scale
+  std::string label = {};             ///< of the progress bar; empty: none
+};
+
+/// Something found during a run, with its time.
+struct RunEvent {
+  double t = 0.0;
+  std::string what;  ///< "node 3 touches the plane 'ground'", "declared time"
+};
+
+/// What a run leaves.
+struct RunResult {
+  Trajectory trajectory;  ///< outputs, probes, and trajectory.stop with the reason of an early end
+  State last;             ///< the last good state, with z
+  Work work;
+  std::vector<std::string> warnings;  ///< one line each, given before or during the run
+  std::vector<RunEvent> events;       ///< at most 10000 are kept; work.events counts all
+  long long subdividedSteps = 0;      ///< steps cut so that nothing passes through an obstacle
+  double smallestStep = 0.0;          ///< [s] taken
+  double wallTime = 0.0;              ///< [s]
+
+  bool failed() const { return trajectory.stop.stopped; }
+};
+
+/// Advances the system from `start` (start.z may be empty: it is set by the system). Steps are chosen by the error
+/// estimate of an adaptive method, else they are options.h; they end at declared times, at zeros of guards and at the
+/// output times, and are cut where a node could pass through an obstacle.
+///
+/// Never returns numbers that are not finite: the run stops with a report that names the unknown and the time. An
+/// adaptive method on a system with forces that it cannot foresee (no declared times, no guard) takes at most
+/// options.largestStep.
+///
+/// Throws std::invalid_argument on sizes, masses or options that make no sense, and when the system lacks what the
+/// method needs.
+RunResult simulate(const System& system, Method& method, State start, const RunOptions& options);
+
+}  // namespace muelle::engine

@@ -1,0 +1,45 @@
+#include "engine/method.h"
+
+namespace muelle::engine {
+
+namespace {
+
+/// Quintic on [0, 1] from values, slopes and curvatures at both ends (in units of the step).
+double quintic(double theta, double x0, double v0, double a0, double x1, double v1, double a1) {
+  const double d = x1 - x0 - v0 - 0.5 * a0;
+  const double e = v1 - v0 - a0;
+  const double f = a1 - a0;
+  const double c3 = 10.0 * d - 4.0 * e + 0.5 * f;
+  const double c4 = -15.0 * d + 7.0 * e - f;
+  const double c5 = 6.0 * d - 3.0 * e + 0.5 * f;
+  return x0 + theta * (v0 + theta * (0.5 * a0 + theta * (c3 + theta * (c4 + theta * c5))));
+}
+
+/// Cubic on [0, 1] from values and slopes at both ends (in units of the step).
+double cubic(double theta, double v0, double a0, double v1, double a1) {
+  const double d = v1 - v0;
+  return v0 + theta * (a0 + theta * (3.0 * d - 2.0 * a0 - a1 + theta * (a0 + a1 - 2.0 * d)));
+}
+
+}  // namespace
+
+void Method::interpolate(const System& system, const State& from, const State& to, double theta, State& out) {
+  const double h = to.t - from.t;
+  const auto n = from.x.size();
+  std::vector<double> f0(n), f1(n);
+  work_.forceEvaluations += 2;
+  system.force(from.t, from.x, from.v, from.z, f0);
+  system.force(to.t, to.x, to.v, from.z, f1);
+  const std::span<const double> m = system.mass();
+  out.t = from.t + theta * h;
+  out.x.resize(n);
+  out.v.resize(n);
+  out.z = from.z;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double a0 = f0[i] / m[i], a1 = f1[i] / m[i];
+    out.x[i] = quintic(theta, from.x[i], h * from.v[i], h * h * a0, to.x[i], h * to.v[i], h * h * a1);
+    out.v[i] = cubic(theta, from.v[i], h * a0, to.v[i], h * a1);
+  }
+}
+
+}  // namespace muelle::engine

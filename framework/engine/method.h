@@ -1,0 +1,52 @@
+#pragma once
+#include "engine/method_info.h"
+#include "engine/system.h"
+#include "engine/work.h"
+
+#include <string>
+
+namespace muelle::engine {
+
+/// How exact a step should be. A method without error estimate ignores `relative` and `absolute`.
+struct Tolerance {
+  double relative = 1e-6;  ///< of each unknown's size
+  double absolute = 1e-9;  ///< [m], and [m/s] for velocities
+  double newton = 1e-12;   ///< residual of implicit equations, relative to the forces that balance in them
+};
+
+/// What became of a step.
+struct StepResult {
+  bool done = true;     ///< false: the step could not be taken; `to` is then meaningless
+  double error = 0.0;   ///< estimated local error over the tolerance; at most 1 is good. 0 without an estimate
+  std::string failure;  ///< one line when not done: what failed, and by how much
+};
+
+/// A method that advances a system by one step and does nothing else: step control, events, output, commits and failure
+/// reports belong to simulate().
+class Method {
+ public:
+  virtual ~Method() = default;
+
+  virtual const MethodInfo& info() const = 0;
+  /// Called once before the first step, and again for another system: checks that the system has what the method needs
+  /// (std::invalid_argument names the method and the missing capability) and allocates, so that a step does not.
+  virtual void prepare(const System& system, const Tolerance& tolerance) = 0;
+  /// One step of h [s], positive, from `from` to `to`: another object with the same sizes. z is copied, t advanced.
+  virtual StepResult step(const System& system, const State& from, double h, State& to) = 0;
+
+  /// Forgets what was kept from earlier steps (last force, earlier states): after a discontinuity.
+  virtual void restart() {}
+  /// Called when the last step() was accepted: methods with memory shift it here, so that a rejected step leaves none.
+  virtual void accept() {}
+  /// The state inside the last step, theta in [0, 1], for output and to find events. The default is the quintic (x) and
+  /// cubic (v) Hermite interpolant; methods with a dense output of their own use it.
+  virtual void interpolate(const System& system, const State& from, const State& to, double theta, State& out);
+
+  const Work& work() const { return work_; }
+  void resetWork() { work_ = {}; }
+
+ protected:
+  Work work_;  ///< added to by step()
+};
+
+}  // namespace muelle::engine

@@ -1,0 +1,133 @@
+#pragma once
+#include "harness/types.h"
+
+#include <array>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace muelle::engine {
+
+/// A motion given in advance: position and velocity over time.
+struct Motion {
+  std::function<Vec3(double t)> position;  ///< [m]
+  std::function<Vec3(double t)> velocity;  ///< [m/s], its derivative
+};
+
+/// A node as the user describes it. In 1D only the first component counts ("x" of the lecture; the height where there
+/// is gravity); in 2D the two of Model::plane.
+struct ModelNode {
+  Vec3 x = Vec3::Zero();  ///< position [m]
+  Vec3 v = Vec3::Zero();  ///< velocity [m/s]
+  double m = 1.0;         ///< mass [kg]; not used when the node is pinned or moved
+  bool pinned = false;    ///< stays at x
+  int motion = -1;        ///< index into Model::motions of a node that is moved; -1: none
+  double drag = 0.0;      ///< node damping d: F = -d v [kg/s] (slide "Amortiguamiento")
+};
+
+/// F_a = -k (L - L0) n - dRelative (va - vb) - dProjected ((va - vb) . n) n, n = (xa - xb) / L.
+struct ModelSpring {
+  int a = 0, b = 1;
+  double k = 1.0;           ///< [N/m], not negative
+  double L0 = 1.0;          ///< [m], not negative
+  double dRelative = 0.0;   ///< [kg/s]
+  double dProjected = 0.0;  ///< [kg/s]
+  bool unilateral = false;  ///< acts only when shorter than L0 (a contact between nodes, "rest gap")
+};
+
+/// Three nodes a - b - c that resist bending at b: E = k (theta - theta0)^2 / 2, theta the turning angle at b, 0 when
+/// straight.
+struct ModelAngle {
+  int a = 0, b = 1, c = 2;
+  double k = 1.0;  ///< [J/rad^2]
+  double theta0 = 0.0;
+};
+
+/// Two triangles (a, b, c) and (b, a, d) with the common edge ab: E = k (theta - theta0)^2 / 2, theta the signed angle
+/// between their normals. 3D only.
+struct ModelDihedral {
+  int a = 0, b = 1, c = 2, d = 3;
+  double k = 1.0;  ///< [J/rad^2]
+  double theta0 = 0.0;
+};
+
+/// E = k (A - A0)^2 / 2 with the signed area of abc: in 2D positive when anticlockwise. In 3D the area is measured
+/// along the unit vector `normal`.
+struct ModelArea {
+  int a = 0, b = 1, c = 2;
+  double k = 1.0;               ///< [N/m^3]
+  double A0 = 1.0;              ///< [m^2]
+  Vec3 normal = Vec3::UnitZ();  ///< 3D only
+};
+
+/// E = k (V - V0)^2 / 2 with the signed volume of the tetrahedron abcd, (b-a) . ((c-a) x (d-a)) / 6. 3D only.
+struct ModelVolume {
+  int a = 0, b = 1, c = 2, d = 3;
+  double k = 1.0;   ///< [N/m^5]
+  double V0 = 1.0;  ///< [m^3]
+};
+
+/// A property of many nodes: E = k (p - p0)^2 / 2, p = sum_i weight_i . x_i. The mean height of n nodes has weight
+/// (0, 0, 1/n) for each (slide "Fuerzas y Energias").
+struct ModelProperty {
+  std::vector<int> nodes;
+  std::vector<Vec3> weights;
+  double k = 1.0;
+  double p0 = 0.0;
+};
+
+/// A force on nodes that depends on time alone, constant between its declared times, or smooth.
+struct ModelExternalForce {
+  std::vector<int> nodes;
+  /// Force on each node [N]. `segment` is the number of declared times that have passed (frozen within a step, so that
+  /// both sides of a jump are seen from their own side).
+  std::function<Vec3(double t, int segment)> force;
+  std::vector<double> times;  ///< where the force jumps [s], ascending
+};
+
+/// What an obstacle does to a node that goes through its surface: a penalty force k depth along the outward normal n,
+/// damped by d, never pulling: F = max(0, k depth - d (v . n)) n.
+struct ContactMaterial {
+  double k = 1e4;            ///< [N/m]
+  double d = 0.0;            ///< [kg/s]
+  double mu = 0.0;           ///< coefficient of friction; the friction sticks (a spring-slider)
+  double kTangential = 0.0;  ///< [N/m] of the slider; 0: as k
+  double dTangential = 0.0;  ///< [kg/s] while sticking
+};
+
+/// Obstacles: half space, ball, box; a node is outside where the signed distance is positive. A slab is a box.
+struct Obstacle {
+  enum class Kind { Plane, Sphere, Box };
+  Kind kind = Kind::Plane;
+  std::string name = "ground";
+  Vec3 centre = Vec3::Zero();    ///< a point of the plane, the centre of sphere or box [m]
+  Vec3 normal = Vec3::UnitZ();   ///< of the plane, unit length, towards the free side
+  double radius = 1.0;           ///< of the sphere [m]
+  Vec3 halfSize = Vec3::Ones();  ///< of the box [m]; infinite entries make a slab
+  ContactMaterial material = {};
+  Vec3 velocity = Vec3::Zero();                               ///< [m/s] of the obstacle from time 0 on ...
+  double stopTime = std::numeric_limits<double>::infinity();  ///< ... until this time [s]
+};
+
+/// A scene's physics as plain data, in the user's numbering. Built into a ModelSystem by build().
+struct Model {
+  int dimension = 3;                  ///< 1, 2 or 3 degrees of freedom a node
+  std::array<int, 2> plane = {0, 2};  ///< the two axes of a 2D scene: x and z
+  std::vector<ModelNode> nodes;
+  std::vector<ModelSpring> springs;
+  std::vector<ModelAngle> angles;
+  std::vector<ModelDihedral> dihedrals;
+  std::vector<ModelArea> areas;
+  std::vector<ModelVolume> volumes;
+  std::vector<ModelProperty> properties;
+  std::vector<ModelExternalForce> externalForces;
+  std::vector<Motion> motions;
+  std::vector<Obstacle> obstacles;
+  Vec3 gravity = Vec3::Zero();  ///< acceleration [m/s^2]; (0, 0, -9.81) in 3D, and in 2D with plane {0, 2}
+  /// Follow springs through zero length (an event): a spring of 1D always, in 2D and 3D only when asked for.
+  bool springsCross = false;
+  bool renumber = true;  ///< reverse Cuthill-McKee inside; results keep the user's numbering
+};
+
+}  // namespace muelle::engine

@@ -1,0 +1,33 @@
+#pragma once
+#include "engine/capabilities.h"
+#include "harness/dynamical_system.h"
+
+#include <string>
+
+namespace muelle::engine {
+
+/// A problem M a = F(t, x, v; z) with the capabilities that it has. The unknowns are the free degrees of freedom:
+/// neither pins nor the dimension appear here. Internal variables z are frozen within a step.
+///
+/// A null capability is one that the system lacks; a method that needs it says so before the first step.
+/// The functions are const, yet they may use scratch memory of the system: one thread a system.
+class System : public DynamicalSystem {
+ public:
+  /// Length of the internal variables z.
+  virtual int internalSize() const { return 0; }
+  /// Whether the force depends on the velocity anywhere (a Nystroem method needs that it does not).
+  virtual bool forceUsesVelocity() const { return true; }
+
+  virtual const Potential* potential() const { return nullptr; }
+  virtual const Drag* drag() const { return nullptr; }
+  virtual const Linearisation* linearisation() const { return nullptr; }
+  virtual const Constraints* constraints() const { return nullptr; }
+  virtual const Switching* switching() const { return nullptr; }
+
+  /// Unknown i in the user's words: "node 12, z". For messages.
+  virtual std::string unknownName(int i) const;
+  /// Degrees of freedom a node, to tell nodes apart in messages and constraints: 1, 2 or 3.
+  virtual int dimension() const { return 1; }
+};
+
+}  // namespace muelle::engine
