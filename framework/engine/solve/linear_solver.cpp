@@ -1,0 +1,269 @@
+#include "engine/solve/linear_solver.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
+#include <limits>
+#include <vector>
+
+namespace muelle::engine {
+
+namespace {
+
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
+using Sparse = Eigen::SparseMatrix<double>;
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+bool isDiagonal(const Sparse& A) {
+  if (A.nonZeros() != A.rows()) return false;
+  for (int i = 0; i < A.rows(); ++i) {
+    if (A.outerIndexPtr()[i] != i || A.innerIndexPtr()[i] != i) return false;
+  }
+  return true;
+}
+
+bool allFinite(const Sparse& A) {
+  return Eigen::Map<const Eigen::ArrayXd>(A.valuePtr(), A.nonZeros()).isFinite().all();
+}
+
+double infinityNorm(const Sparse& A) {
+  Vector rows = Vector::Zero(A.rows());
+  for (int j = 0; j < A.outerSize(); ++j) {
+    for (Sparse::InnerIterator entry(A, j); entry; ++entry) rows[entry.row()] += std::abs(entry.value());
+  }
+  return rows.size() > 0 ? rows.maxCoeff() : 0.0;
+}
+
+/// Largest entry of each column: what its pivot is compared with.
+Vector columnSizes(const Sparse& A) {
+  Vector sizes = Vector::Zero(A.cols());
+  for (int j = 0; j < A.outerSize(); ++j) {
+    for (Sparse::InnerIterator entry(A, j); entry; ++entry) sizes[j] = std::max(sizes[j], std::abs(entry.value()));
+  }
+  return sizes;
+}
+
+/// The pattern of a matrix, to know whether a kept analysis still fits.
+struct Pattern {
+  std::vector<int> outer, inner;
+
+  bool fits(const Sparse& A) const {
+    return outer.size() == static_cast<std::size_t>(A.outerSize()) + 1 &&
+           inner.size() == static_cast<std::size_t>(A.nonZeros()) &&
+           std::equal(outer.begin(), outer.end(), A.outerIndexPtr()) &&
+           std::equal(inner.begin(), inner.end(), A.innerIndexPtr());
+  }
+  void keep(const Sparse& A) {
+    outer.assign(A.outerIndexPtr(), A.outerIndexPtr() + A.outerSize() + 1);
+    inner.assign(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros());
+  }
+};
+
+}  // namespace
+
+struct LinearSolver::Parts {
+  enum class Kind { None, Diagonal, LDLT, LU };
+
+  Kind kind = Kind::None;
+  const SystemMatrix* J = nullptr;
+  double norm = 0.0;
+  Vector diagonal;
+  Eigen::SimplicialLDLT<Sparse> ldlt;
+  Eigen::SparseLU<Sparse> lu;
+  Pattern ldltPattern, luPattern;
+  Matrix U, AinvU;  // the columns of the low-rank part that count, and A^-1 of them
+  Vector s;
+  Eigen::PartialPivLU<Matrix> capacitance;
+  Vector residual, correction;
+
+  /// Counts the signs of pivots; `sizes[i]` is what pivot i would be were nothing subtracted.
+  static void countPivots(const Vector& pivots, const Vector& sizes, Factorisation& result) {
+    for (Eigen::Index i = 0; i < pivots.size(); ++i) {
+      if (std::abs(pivots[i]) <= 8.0 * eps * sizes[i]) {
+        ++result.vanishing;
+      } else if (pivots[i] < 0.0) {
+        ++result.negative;
+      }
+    }
+  }
+
+  bool factoriseLDLT(const Sparse& A, Factorisation& result) {
+    if (!ldltPattern.fits(A)) {
+      ldlt.analyzePattern(A);
+      ldltPattern.keep(A);
+    }
+    ldlt.factorize(A);
+    const Vector& pivots = ldlt.vectorD();
+    if (ldlt.info() != Eigen::Success || !pivots.allFinite()) {
+      // An exact zero stops Eigen; the pivots behind it are unknown.
+      result.vanishing = 1;
+      return false;
+    }
+    countPivots(pivots, ldlt.permutationP() * columnSizes(A), result);
+    kind = Kind::LDLT;
+    return result.vanishing == 0;
+  }
+
+  bool factoriseLU(const Sparse& A, Factorisation& result) {
+    if (!luPattern.fits(A)) {
+      lu.analyzePattern(A);
+      luPattern.keep(A);
+    }
+    lu.factorize(A);
+    if (lu.info() != Eigen::Success) {
+      result.failure = "the matrix is singular (LU: " + lu.lastErrorMessage() + ")";
+      return false;
+    }
+    kind = Kind::LU;
+    return true;
+  }
+
+  void solveSparse(const Vector& b, Vector& x) {
+    switch (kind) {
+      case Kind::Diagonal:
+        x = b.cwiseQuotient(diagonal);
+        break;
+      case Kind::LDLT:
+        x = ldlt.solve(b);
+        break;
+      case Kind::LU:
+        x = lu.solve(b);
+        break;
+      case Kind::None:
+        x.setConstant(b.size(), std::numeric_limits<double>::quiet_NaN());
+        break;
+    }
+  }
+
+  void solveOnce(const Vector& b, Vector& x) {
+    solveSparse(b, x);
+    if (s.size() > 0) x.noalias() -= AinvU * capacitance.solve(U.transpose() * x);
+  }
+
+  /// Woodbury's small matrix C = S^-1 + U^T A^-1 U, and the inertia of the sum: neg(A + U S U^T) = neg(A) + pos(C) -
+  /// pos(S), from the two block eliminations of [A U; U^T -S^-1] (Haynsworth 1968).
+  bool prepareLowRank(Factorisation& result) {
+    const LowRank& lowRank = J->lowRank;
+    std::vector<Eigen::Index> used;
+    for (Eigen::Index c = 0; c < lowRank.s.size(); ++c) {
+      if (lowRank.s[c] != 0.0) used.push_back(c);
+    }
+    const auto r = static_cast<Eigen::Index>(used.size());
+    U.resize(lowRank.U.rows(), r);
+    AinvU.resize(lowRank.U.rows(), r);
+    s.resize(r);
+    Vector column;
+    for (Eigen::Index c = 0; c < r; ++c) {
+      U.col(c) = lowRank.U.col(used[static_cast<std::size_t>(c)]);
+      s[c] = lowRank.s[used[static_cast<std::size_t>(c)]];
+      solveSparse(U.col(c), column);
+      AinvU.col(c) = column;
+    }
+    if (r == 0) return true;
+    Matrix C = U.transpose() * AinvU;
+    C.diagonal() += s.cwiseInverse();
+    if (!C.allFinite()) {
+      result.failure = "the low-rank part is not finite";
+      return false;
+    }
+    norm += (U.cwiseAbs() * s.cwiseAbs().asDiagonal() * U.cwiseAbs().colwise().sum().transpose()).maxCoeff();
+    if (kind != Kind::LU) {
+      const Matrix symmetric = 0.5 * (C + C.transpose());
+      const Vector values = Eigen::SelfAdjointEigenSolver<Matrix>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
+      result.negative += static_cast<int>((values.array() > 0.0).count() - (s.array() > 0.0).count());
+      result.vanishing += static_cast<int>((values.array().abs() <= 8.0 * eps * values.cwiseAbs().maxCoeff()).count());
+    }
+    capacitance.compute(C);
+    return true;
+  }
+};
+
+LinearSolver::LinearSolver() : parts_(std::make_unique<Parts>()) {}
+LinearSolver::~LinearSolver() = default;
+LinearSolver::LinearSolver(LinearSolver&&) noexcept = default;
+LinearSolver& LinearSolver::operator=(LinearSolver&&) noexcept = default;
+
+Factorisation LinearSolver::factorise(const SystemMatrix& J, bool onlyDefinite) {
+  Parts& p = *parts_;
+  Factorisation result;
+  p.kind = Parts::Kind::None;
+  p.J = &J;
+  p.s.resize(0);
+  const Sparse& A = J.sparse;
+  if (A.rows() != A.cols() || !A.isCompressed()) {
+    result.failure = fmt::format("the matrix is {} x {} or not compressed", A.rows(), A.cols());
+    return result;
+  }
+  if (!allFinite(A) || !J.lowRank.U.allFinite() || !J.lowRank.s.allFinite()) {
+    result.failure = "the matrix has entries that are not finite";
+    return result;
+  }
+  p.norm = infinityNorm(A);
+  bool done = false;
+  if (J.symmetric && isDiagonal(A)) {
+    p.diagonal = A.diagonal();
+    Parts::countPivots(p.diagonal, p.diagonal.cwiseAbs(), result);
+    p.kind = Parts::Kind::Diagonal;
+    done = result.vanishing == 0;
+    if (!done) result.failure = fmt::format("the matrix is singular: {} vanishing pivots", result.vanishing);
+  } else {
+    if (J.symmetric) done = p.factoriseLDLT(A, result);
+    const bool givenUp = onlyDefinite && J.symmetric && J.lowRank.empty() && (!done || result.negative > 0);
+    if (!done && !givenUp) done = p.factoriseLU(A, result);
+  }
+  if (done) done = p.prepareLowRank(result);
+  result.definite = done && J.symmetric && p.kind != Parts::Kind::LU && result.negative == 0 && result.vanishing == 0;
+  result.usable = done && (!onlyDefinite || !J.symmetric || result.definite);
+  if (!result.usable && result.failure.empty()) {
+    result.failure = fmt::format("the matrix is not positive definite: {} negative and {} vanishing pivots",
+                                 result.negative, result.vanishing);
+  }
+  if (!result.usable) p.kind = Parts::Kind::None;
+  return result;
+}
+
+std::string LinearSolver::solve(const Vector& b, Vector& x) {
+  Parts& p = *parts_;
+  if (p.kind == Parts::Kind::None) return "there is no factorisation to solve with";
+  p.solveOnce(b, x);
+  if (!x.allFinite()) return "the solution is not finite";
+  multiply(*p.J, x, p.residual);
+  p.residual = b - p.residual;
+  p.solveOnce(p.residual, p.correction);
+  // A correction that is no small part of x comes from a matrix without a single right digit; it would not help.
+  if (p.correction.allFinite() && p.correction.norm() < 0.5 * x.norm()) {
+    x += p.correction;
+    multiply(*p.J, x, p.residual);
+    p.residual = b - p.residual;
+  }
+  const double error = p.residual.lpNorm<Eigen::Infinity>();
+  const double size = p.norm * x.lpNorm<Eigen::Infinity>() + b.lpNorm<Eigen::Infinity>();
+  if (error > 1e-8 * size) {
+    return fmt::format("the linear solution is wrong: backward error {:.1e}, at most 1e-8 is good", error / size);
+  }
+  return {};
+}
+
+void multiply(const SystemMatrix& J, const Vector& x, Vector& y) {
+  y.noalias() = J.sparse * x;
+  if (!J.lowRank.empty()) y.noalias() += J.lowRank.U * J.lowRank.s.cwiseProduct(J.lowRank.U.transpose() * x);
+}
+
+void multiplyAbsolute(const SystemMatrix& J, const Vector& x, Vector& y) {
+  y.setZero(x.size());
+  for (int j = 0; j < J.sparse.outerSize(); ++j) {
+    const double size = std::abs(x[j]);
+    for (Sparse::InnerIterator entry(J.sparse, j); entry; ++entry) y[entry.row()] += std::abs(entry.value()) * size;
+  }
+  if (J.lowRank.empty()) return;
+  const Vector parts = J.lowRank.U.cwiseAbs().transpose() * x.cwiseAbs();
+  y.noalias() += J.lowRank.U.cwiseAbs() * J.lowRank.s.cwiseAbs().cwiseProduct(parts);
+}
+
+}  // namespace muelle::engine

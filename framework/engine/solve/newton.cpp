@@ -1,0 +1,256 @@
+#include "engine/solve/newton.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace muelle::engine {
+
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+/// Below this relative residual the energy's differences are near round-off, and the residual decides.
+constexpr double nearSolution = 1e-5;
+
+In in(const Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
+Out out(Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
+
+}  // namespace
+
+void Newton::prepare(const System& system) {
+  if (system.linearisation() == nullptr) {
+    throw std::invalid_argument("an implicit method needs the derivatives of the force (linearisation)");
+  }
+  system_ = &system;
+  const auto n = static_cast<Eigen::Index>(system.size());
+  for (Point* point : {&here_, &trial_}) {
+    for (Vector* v : {&point->w, &point->X, &point->V, &point->F, &point->R}) v->setZero(n);
+  }
+  for (Vector* v : {&step_, &rest_, &floor_, &absolute_, &scratch_}) v->setZero(n);
+}
+
+void Newton::evaluate(const Vector& w, Point& point) {
+  const ImplicitStage& s = *stage_;
+  point.w = w;
+  point.X = s.X0 + s.alpha * w;
+  point.V = s.V0 + s.beta * w;
+  if (s.force) {
+    s.force(w, point.X, point.V, point.F);
+    work_->forceEvaluations += s.forceCost;
+  } else {
+    system_->force(s.t, in(point.X), in(point.V), s.z, out(point.F));
+    ++work_->forceEvaluations;
+  }
+  point.R = mass_.cwiseProduct(w) - s.tau * point.F;
+  if (s.g.size() > 0) point.R -= s.g;
+  point.size = std::sqrt((point.R.array().square() / mass_.array()).sum());
+  point.finite = std::isfinite(point.size);
+}
+
+double Newton::energy(const Point& point) {
+  ++work_->forceEvaluations;
+  return system_->potential()->energy(stage_->t, in(point.X), stage_->z);
+}
+
+double Newton::relativeResidual(const Point& point, double floorFactor, int& worst) const {
+  double largest = 0.0;
+  worst = 0;
+  for (Eigen::Index i = 0; i < point.R.size(); ++i) {
+    const double terms = std::abs(mass_[i] * point.w[i]) + stage_->tau * std::abs(point.F[i]) +
+                         (stage_->g.size() > 0 ? std::abs(stage_->g[i]) : 0.0);
+    const double excess = std::abs(point.R[i]) - floorFactor * (floor_[i] + eps * terms);
+    if (excess <= 0.0) continue;
+    const double relative = terms > 0.0 ? excess / terms : 1.0;
+    if (relative > largest) {
+      largest = relative;
+      worst = static_cast<int>(i);
+    }
+  }
+  return largest;
+}
+
+bool Newton::atFloor(const Point& point, double factor) const {
+  int worst = 0;
+  return relativeResidual(point, factor, worst) == 0.0;
+}
+
+bool Newton::factorise(Form form, Factorisation& found) {
+  const ImplicitStage& s = *stage_;
+  system_->linearisation()->assemble(1.0, s.tau * s.beta, s.tau * s.alpha, s.t, in(here_.X), in(here_.V), s.z, form,
+                                     J_);
+  ++work_->jacobians;
+  found = solver_.factorise(J_, form != Form::Exact);
+  ++work_->factorisations;
+  return found.usable;
+}
+
+/// step_ = -J^-1 R.
+bool Newton::direction(std::string& failure) {
+  failure = solver_.solve(here_.R, step_);
+  ++work_->solves;
+  step_ = -step_;
+  return failure.empty();
+}
+
+void Newton::updateFloor() {
+  multiplyAbsolute(J_, here_.X, absolute_);
+  floor_ = (eps / stage_->alpha) * absolute_;
+}
+
+/// Steps along step_ until the incremental potential falls enough (Armijo); `slope` is R . step_.
+Newton::Search Newton::searchEnergy(double slope) {
+  const ImplicitStage& s = *stage_;
+  double energyHere = 0.0;
+  bool known = false;
+  double length = 1.0;
+  for (int halving = 0; halving < 60; ++halving) {
+    scratch_ = here_.w + length * step_;
+    evaluate(scratch_, trial_);
+    if (trial_.finite) {
+      // A residual that falls well where the Hessian is definite needs no energy.
+      if (trial_.size <= 0.3 * here_.size) return Search::Accepted;
+      if (relative_ < nearSolution && trial_.size < here_.size) return Search::Accepted;
+      if (!known) {
+        energyHere = energy(here_);
+        rest_.setZero();
+        if (!system_->potential()->isComplete()) {
+          system_->potential()->conservativeForce(s.t, in(here_.X), s.z, out(rest_));
+          ++work_->forceEvaluations;
+          rest_ = here_.F - rest_;
+        }
+        if (s.g.size() > 0) rest_ += s.g / s.tau;
+        known = true;
+      }
+      const double energyThere = energy(trial_);
+      const double ratio = s.tau / s.alpha;
+      const double change = length * mass_.cwiseProduct(here_.w).dot(step_) +
+                            0.5 * length * length * mass_.dot(step_.cwiseAbs2()) - s.tau * length * rest_.dot(step_) +
+                            ratio * (energyThere - energyHere);
+      const double slack = 4.0 * eps * ratio * (std::abs(energyHere) + std::abs(energyThere));
+      if (std::isfinite(energyThere) && change <= 1e-4 * length * slope + slack) return Search::Accepted;
+    }
+    length *= 0.5;
+  }
+  return Search::Failed;
+}
+
+Newton::Search Newton::searchResidual() {
+  double length = 1.0;
+  for (int halving = 0; halving < 40; ++halving) {
+    scratch_ = here_.w + length * step_;
+    evaluate(scratch_, trial_);
+    if (trial_.finite && trial_.size <= (1.0 - 1e-4 * length) * here_.size) return Search::Accepted;
+    length *= 0.5;
+  }
+  return Search::Failed;
+}
+
+/// Simplified Newton steps with the last factorisation, as long as each at least halves the residual.
+void Newton::polish(double threshold) {
+  std::string failure;
+  for (int i = 0; i < 20 && here_.size > threshold; ++i) {
+    if (!direction(failure)) return;
+    scratch_ = here_.w + step_;
+    evaluate(scratch_, trial_);
+    if (!trial_.finite || trial_.size >= here_.size) return;
+    const bool worthwhile = trial_.size < 0.5 * here_.size;
+    std::swap(here_, trial_);
+    if (!worthwhile) return;
+  }
+}
+
+NewtonReport Newton::solve(const System& system, const ImplicitStage& stage, const NewtonOptions& options, Vector& w,
+                           Work& work) {
+  stage_ = &stage;
+  work_ = &work;
+  system_ = &system;
+  const std::span<const double> mass = system.mass();
+  new (&mass_) Eigen::Map<const Vector>(mass.data(), static_cast<Eigen::Index>(mass.size()));
+  NewtonReport report;
+  floor_.setZero();
+  evaluate(w, here_);
+  if (!here_.finite) {
+    w.setZero();
+    evaluate(w, here_);
+  }
+  if (!here_.finite) {
+    Eigen::Index bad = 0;
+    while (bad < here_.R.size() - 1 && std::isfinite(here_.R[bad])) ++bad;
+    report.failure = fmt::format("the force on {} is not finite", system.unknownName(static_cast<int>(bad)));
+    return report;
+  }
+  const bool potential = system.potential() != nullptr && !stage.force;
+  Form form = potential ? Form::Symmetric : Form::Exact;
+  std::string failure;
+  int worst = 0;
+  bool exactWorks = true;
+  for (;;) {
+    if (here_.size == 0.0) break;
+    relative_ = relativeResidual(here_, report.iterations > 0 ? 4.0 : 0.0, worst);
+    if (report.iterations > 0 && relative_ <= options.tolerance) break;
+    if (report.iterations == options.mostIterations) {
+      report.failure = fmt::format("Newton: no convergence after {} iterations", report.iterations);
+      break;
+    }
+    ++report.iterations;
+    ++work.newtonIterations;
+
+    Factorisation found;
+    bool ready = factorise(form, found) && direction(failure);
+    if (!found.usable) failure = found.failure;
+    double slope = ready ? here_.R.dot(step_) : 0.0;
+    if (potential && (!ready || !(slope < 0.0))) {
+      // Indefinite (or an exact direction that climbs): the projected Hessian always points down.
+      if (form == Form::Exact) exactWorks = false;
+      ready = factorise(Form::Projected, found) && direction(failure);
+      if (!found.usable) failure = found.failure;
+      slope = ready ? here_.R.dot(step_) : 0.0;
+      form = Form::Symmetric;
+    }
+    if (!ready) {
+      report.failure = "Newton: " + failure;
+      break;
+    }
+    updateFloor();
+    const double before = here_.size;
+    Search search = Search::Failed;
+    if (!potential) {
+      search = searchResidual();
+    } else {
+      search = searchEnergy(slope);
+      if (search == Search::Failed && form == Form::Symmetric) {
+        // The lagged forces without potential can mislead the search; the exact Jacobian and the residual do not.
+        if (exactWorks && !system.potential()->isComplete() && factorise(Form::Exact, found) && direction(failure)) {
+          search = searchResidual();
+        }
+        if (search == Search::Failed && factorise(Form::Projected, found) && direction(failure)) {
+          search = searchEnergy(here_.R.dot(step_));
+        }
+      }
+    }
+    if (search == Search::Failed) {
+      // No way down: round-off when the residual is of its size, else a fault.
+      if (atFloor(here_, 1e3)) break;
+      report.failure = "Newton: no step along the direction makes progress";
+      break;
+    }
+    std::swap(here_, trial_);
+    const bool slow = here_.size > 0.1 * before;
+    if (potential && slow && relative_ < 1e-1 && !system.potential()->isComplete() && exactWorks) form = Form::Exact;
+    if (slow && atFloor(here_, 64.0)) break;
+  }
+  if (report.failure.empty() && options.polish && report.iterations > 0) polish(0.0);
+  w = here_.w;
+  report.residual = relativeResidual(here_, 0.0, worst);
+  report.done = report.failure.empty();
+  if (!report.done) {
+    report.failure += fmt::format("; relative residual {:.1e} at {}", report.residual, system.unknownName(worst));
+  }
+  return report;
+}
+
+}  // namespace muelle::engine
