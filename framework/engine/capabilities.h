@@ -37,6 +37,8 @@ class Drag {
   virtual std::span<const double> coefficients() const = 0;
   /// Overwrites f with all forces but this drag [N].
   virtual void forceWithoutDrag(double t, In x, In v, In z, Out f) const = 0;
+  /// Whether the forces without the drag still depend on the velocity (a method then evaluates them twice a step).
+  virtual bool remainderUsesVelocity() const { return true; }
 };
 
 /// A symmetric matrix U diag(s) U^T of few columns: the stiffness of a property of all nodes, never assembled.

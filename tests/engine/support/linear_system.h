@@ -31,6 +31,7 @@ class LinearSystem : public System, public Potential, public Linearisation, publ
     return {drag_.data(), static_cast<std::size_t>(drag_.size())};
   }
   void forceWithoutDrag(double t, In x, In v, In z, Out f) const override;
+  bool remainderUsesVelocity() const override { return !diagonalDamping_; }
 
  private:
   Eigen::VectorXd mass_;

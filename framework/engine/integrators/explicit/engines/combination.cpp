@@ -1,0 +1,85 @@
+#include "engine/integrators/explicit/engines/combination.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace muelle::engine {
+
+void Combination::add(double weight, const double* k) {
+  if (weight == 0.0) return;
+  if (count_ == terms_.size()) throw std::logic_error("Combination: more stages than the table holds");
+  terms_[count_++] = {weight, k};
+}
+
+void Combination::block(std::size_t begin, std::size_t count, double* sum) const {
+  std::fill(sum, sum + count, 0.0);
+  for (std::size_t j = 0; j < count_; ++j) {
+    const double weight = terms_[j].weight;
+    const double* k = terms_[j].k + begin;
+    for (std::size_t i = 0; i < count; ++i) sum[i] += weight * k[i];
+  }
+}
+
+void Combination::addTo(In base, double scale, Out out) const {
+  std::array<double, blockSize> sum;
+  for (std::size_t begin = 0; begin < base.size(); begin += blockSize) {
+    const std::size_t count = std::min(blockSize, base.size() - begin);
+    block(begin, count, sum.data());
+    for (std::size_t i = 0; i < count; ++i) out[begin + i] = base[begin + i] + scale * sum[i];
+  }
+}
+
+double Combination::weightedSquares(double scale, In from, In to, const Tolerance& tolerance) const {
+  std::array<double, blockSize> sum;
+  double squares = 0.0;
+  for (std::size_t begin = 0; begin < from.size(); begin += blockSize) {
+    const std::size_t count = std::min(blockSize, from.size() - begin);
+    block(begin, count, sum.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      const double size = std::max(std::abs(from[begin + i]), std::abs(to[begin + i]));
+      const double ratio = scale * sum[i] / (tolerance.relative * size + tolerance.absolute);
+      squares += ratio * ratio;
+    }
+  }
+  return squares;
+}
+
+void prepareResult(const State& from, double h, State& to) {
+  to.x.resize(from.x.size());
+  to.v.resize(from.v.size());
+  to.z = from.z;
+  to.t = from.t + h;
+}
+
+namespace {
+
+/// Index of the first entry that is not finite, or -1. The sum first: it vectorises, and nearly always suffices.
+int firstNotFinite(In values) {
+  double zeros = 0.0;
+  for (const double value : values) zeros += 0.0 * value;
+  if (zeros == 0.0) return -1;
+  const auto at = std::find_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
+  return static_cast<int>(at - values.begin());
+}
+
+}  // namespace
+
+StepResult finiteOrFailure(const System& system, const State& from, const State& to, double error) {
+  const int position = firstNotFinite(to.x);
+  const int velocity = position < 0 ? firstNotFinite(to.v) : -1;
+  const auto failure = [&](std::string_view what) {
+    return StepResult{.done = false,
+                      .error = error,
+                      .failure = fmt::format("{} is not finite after a step of {:g} s from t = {:g} s: the step is "
+                                             "beyond the method's stability, or the force is not finite",
+                                             what, to.t - from.t, from.t)};
+  };
+  if (position >= 0) return failure("the position of " + system.unknownName(position));
+  if (velocity >= 0) return failure("the velocity of " + system.unknownName(velocity));
+  if (!std::isfinite(error)) return failure("the estimated error");
+  return {.done = true, .error = error, .failure = {}};
+}
+
+}  // namespace muelle::engine

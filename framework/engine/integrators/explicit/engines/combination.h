@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// Sums over stages in one pass over memory.
+
+#include "engine/method.h"
+
+#include <array>
+#include <cstddef>
+
+namespace muelle::engine {
+
+/// Weighted stages w_1 k_1 + w_2 k_2 + ..., with the zero weights left out.
+class Combination {
+ public:
+  /// Adds w k; k has as many entries as the vectors that the sum is added to. Nothing is kept of a zero weight.
+  void add(double weight, const double* k);
+  /// out = base + scale * sum, in one pass over all arrays. `out` may be `base`.
+  void addTo(In base, double scale, Out out) const;
+  /// Sum over i of ((scale * sum)_i / (relative * max(|from_i|, |to_i|) + absolute))^2.
+  double weightedSquares(double scale, In from, In to, const Tolerance& tolerance) const;
+
+ private:
+  /// Entries [begin, begin + count) of the sum, count at most blockSize.
+  void block(std::size_t begin, std::size_t count, double* sum) const;
+
+  static constexpr std::size_t blockSize = 256;  // doubles: stays in the first cache while the stages pass by
+  struct Term {
+    double weight;
+    const double* k;
+  };
+  std::array<Term, 24> terms_;
+  std::size_t count_ = 0;
+};
+
+/// Sets the sizes, z and time of the result of a step of h.
+void prepareResult(const State& from, double h, State& to);
+
+/// Failure when a position or a velocity of `to` is not finite; otherwise a result with the error given.
+StepResult finiteOrFailure(const System& system, const State& from, const State& to, double error);
+
+}  // namespace muelle::engine

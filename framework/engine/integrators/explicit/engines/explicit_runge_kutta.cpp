@@ -1,0 +1,101 @@
+#include "engine/integrators/explicit/engines/explicit_runge_kutta.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace muelle::engine {
+
+ExplicitRungeKutta::ExplicitRungeKutta(MethodInfo info, ButcherTableau tableau)
+    : info_(std::move(info)), tableau_(std::move(tableau)) {}
+
+void ExplicitRungeKutta::prepare(const System& system, const Tolerance& tolerance) {
+  tolerance_ = tolerance;
+  size_ = static_cast<std::size_t>(system.size());
+  const std::span<const double> mass = system.mass();
+  inverseMass_.resize(size_);
+  std::transform(mass.begin(), mass.end(), inverseMass_.begin(), [](double m) { return 1.0 / m; });
+  const std::size_t slopes = stages() + extraSlopes_;
+  memory_.assign(slopes * 2 * size_, 0.0);
+  slopes_.resize(slopes);
+  for (std::size_t j = 0; j < slopes; ++j) slopes_[j] = memory_.data() + 2 * size_ * j;
+  stage_.resize(size_);
+  restart();
+}
+
+void ExplicitRungeKutta::restart() {
+  start_.clear();
+  end_.clear();
+  accepted_ = endKnown_ = false;
+}
+
+void ExplicitRungeKutta::accept() { accepted_ = true; }
+
+void ExplicitRungeKutta::evaluate(const System& system, double t, In x, In z, std::size_t j) {
+  const Out a = acceleration(j);
+  system.force(t, x, velocity(j), z, a);
+  ++work_.forceEvaluations;
+  for (std::size_t i = 0; i < size_; ++i) a[i] *= inverseMass_[i];
+}
+
+void ExplicitRungeKutta::provideFirstSlope(const System& system, const State& from) {
+  const bool goesOn = accepted_ && endKnown_ && end_.matches(from);
+  const bool again = start_.matches(from);
+  accepted_ = endKnown_ = false;
+  end_.clear();
+  if (goesOn) {
+    std::swap(slopes_[0], slopes_[endSlope()]);
+  } else if (!again) {
+    std::copy(from.v.begin(), from.v.end(), velocity(0).begin());
+    evaluate(system, from.t, from.x, from.z, 0);
+  }
+  start_.set(from);
+}
+
+StepResult ExplicitRungeKutta::step(const System& system, const State& from, double h, State& to) {
+  provideFirstSlope(system, from);
+  for (std::size_t i = 1; i < stages(); ++i) {
+    combine(tableau_.a[i], from, h, stage_, velocity(i));
+    evaluate(system, from.t + tableau_.c[i] * h, stage_, from.z, i);
+  }
+  prepareResult(from, h, to);
+  combine(tableau_.b, from, h, to.x, to.v);
+  end_.set(to);
+  endKnown_ = tableau_.firstSameAsLast;
+  return finiteOrFailure(system, from, to, error(from, to, h));
+}
+
+void ExplicitRungeKutta::ensureEndSlope(const System& system, const State& to) {
+  if (endKnown_) return;
+  std::copy(to.v.begin(), to.v.end(), velocity(endSlope()).begin());
+  evaluate(system, to.t, to.x, to.z, endSlope());
+  endKnown_ = true;
+}
+
+void ExplicitRungeKutta::combine(std::span<const double> weights, const State& from, double h, Out x, Out v) const {
+  Combination positions, velocities;
+  for (std::size_t j = 0; j < weights.size(); ++j) {
+    positions.add(weights[j], slopes_[j]);
+    velocities.add(weights[j], slopes_[j] + size_);
+  }
+  positions.addTo(from.x, h, x);
+  velocities.addTo(from.v, h, v);
+}
+
+double ExplicitRungeKutta::error(const State& from, const State& to, double h) const {
+  return tableau_.error.empty() ? 0.0 : weightedNorm(tableau_.error, from, to, h);
+}
+
+double ExplicitRungeKutta::weightedNorm(std::span<const double> weights, const State& from, const State& to,
+                                        double h) const {
+  Combination positions, velocities;
+  for (std::size_t j = 0; j < weights.size(); ++j) {
+    positions.add(weights[j], slopes_[j]);
+    velocities.add(weights[j], slopes_[j] + size_);
+  }
+  const double squares =
+      positions.weightedSquares(h, from.x, to.x, tolerance_) + velocities.weightedSquares(h, from.v, to.v, tolerance_);
+  return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, 2 * size_)));
+}
+
+}  // namespace muelle::engine

@@ -1,0 +1,70 @@
+#pragma once
+#include "engine/integrators/explicit/engines/combination.h"
+#include "engine/integrators/explicit/engines/state_mark.h"
+
+#include <vector>
+
+namespace muelle::engine {
+
+/// Coefficients of an explicit Runge-Kutta method for y' = g(t, y), y = (x, v), g = (v, F/m).
+struct ButcherTableau {
+  std::vector<double> c;               ///< times of the stages, in steps
+  std::vector<std::vector<double>> a;  ///< row i: weights of stages 0 .. i-1
+  std::vector<double> b;               ///< weights of the step
+  /// Weights of the error estimate (b minus the embedded b), one per stage and one for the slope at the step's end when
+  /// the last stage is that slope; empty without an estimate.
+  std::vector<double> error = {};
+  bool firstSameAsLast = false;  ///< the last stage is the slope at the step's end, so it is the next one's first
+};
+
+/// Explicit Runge-Kutta methods. Each stage is one fused sum over the slopes before it; the velocity of a stage is
+/// written where it serves as the position's slope, so nothing is copied.
+class ExplicitRungeKutta : public Method {
+ public:
+  ExplicitRungeKutta(MethodInfo info, ButcherTableau tableau);
+
+  const MethodInfo& info() const override { return info_; }
+  void prepare(const System& system, const Tolerance& tolerance) override;
+  StepResult step(const System& system, const State& from, double h, State& to) override;
+  void restart() override;
+  void accept() override;
+
+ protected:
+  /// Estimated error over the tolerance of the step whose slopes are held.
+  virtual double error(const State& from, const State& to, double h) const;
+  /// Root mean square over all unknowns of (h sum_j weights_j k_j) over its tolerance.
+  double weightedNorm(std::span<const double> weights, const State& from, const State& to, double h) const;
+  /// x, v of out = those of from + h sum_j weights_j k_j.
+  void combine(std::span<const double> weights, const State& from, double h, Out x, Out v) const;
+  /// Slope number j at time t: velocities must have been written to velocity(j).
+  void evaluate(const System& system, double t, In x, In z, std::size_t j);
+  /// Extra room for slopes after the stages, for a dense output; before prepare().
+  void reserveSlopes(std::size_t extra) { extraSlopes_ = extra; }
+  /// Evaluates the slope at the end of the step, as slope number stages(), unless it is held already.
+  void ensureEndSlope(const System& system, const State& to);
+
+  std::size_t stages() const { return tableau_.b.size(); }
+  Out velocity(std::size_t j) { return {slopes_[j], size_}; }
+  In velocity(std::size_t j) const { return {slopes_[j], size_}; }
+  Out acceleration(std::size_t j) { return {slopes_[j] + size_, size_}; }
+  Out stagePosition() { return stage_; }
+
+ private:
+  std::size_t endSlope() const { return tableau_.firstSameAsLast ? stages() - 1 : stages(); }
+  void provideFirstSlope(const System& system, const State& from);
+
+  MethodInfo info_;
+  ButcherTableau tableau_;
+  Tolerance tolerance_;
+  std::size_t extraSlopes_ = 1;
+  std::size_t size_ = 0;
+  std::vector<double> inverseMass_;
+  std::vector<double> memory_;   // all slopes, each 2n: velocities, accelerations
+  std::vector<double*> slopes_;  // where slope j begins
+  std::vector<double> stage_;    // positions of the present stage
+  StateMark start_, end_;        // where slope 0 and the end slope belong
+  bool accepted_ = false;
+  bool endKnown_ = false;
+};
+
+}  // namespace muelle::engine

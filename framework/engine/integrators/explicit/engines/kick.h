@@ -1,0 +1,36 @@
+#pragma once
+#include "engine/integrators/explicit/engines/state_mark.h"
+#include "engine/system.h"
+#include "engine/work.h"
+
+#include <vector>
+
+namespace muelle::engine {
+
+/// The acceleration by all forces that a Verlet step treats by kicks: those without the drag when the system has one.
+/// Knows whether it may be kept from the end of a step to the start of the next.
+class Kick {
+ public:
+  void prepare(const System& system);
+  void restart();
+  /// Acceleration [m/s^2] at a state.
+  void evaluate(const System& system, double t, In x, In v, In z, Work& work);
+  /// Acceleration at the start of a step: the one kept from the accepted step before, when `from` is its end.
+  void start(const System& system, const State& from, Work& work);
+  /// The present acceleration is that of the end of a step.
+  void finish(const State& to);
+  void accept() { accepted_ = true; }
+
+  bool usesVelocity() const { return usesVelocity_; }
+  const double* acceleration() const { return acceleration_.data(); }
+
+ private:
+  const Drag* drag_ = nullptr;
+  bool usesVelocity_ = true;
+  bool accepted_ = false;
+  StateMark end_;
+  std::vector<double> inverseMass_;
+  std::vector<double> acceleration_;
+};
+
+}  // namespace muelle::engine

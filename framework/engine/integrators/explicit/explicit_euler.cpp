@@ -1,0 +1,32 @@
+#include "engine/integrators/explicit/engines/explicit_runge_kutta.h"
+#include "engine/integrators/explicit/methods.h"
+
+namespace muelle::engine {
+
+namespace {
+
+MethodInfo describe() {
+  MethodInfo info;
+  info.id = "explicit_euler";
+  info.name = "explicit Euler";
+  info.order = 1;
+  info.stages = 1;
+  info.conservesMomentum = true;
+  info.stability = Stability::Never;
+  info.imaginaryLimit = 0.0;
+  info.realLimit = 2.0;
+  info.formula = "x+ = x + h v;  v+ = v + h F(t, x, v) / m";
+  info.source = "Euler, Institutiones calculi integralis (1768), section II, chapter 7";
+  info.remark =
+      "never for springs: each step multiplies an undamped oscillator's energy by 1 + (h omega)^2; here as the warning";
+  return info;
+}
+
+}  // namespace
+
+/// R(z) = 1 + z.
+std::unique_ptr<Method> explicitEuler() {
+  return std::make_unique<ExplicitRungeKutta>(describe(), ButcherTableau{.c = {0.0}, .a = {{}}, .b = {1.0}});
+}
+
+}  // namespace muelle::engine

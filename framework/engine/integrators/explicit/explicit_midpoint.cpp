@@ -1,0 +1,35 @@
+#include "engine/integrators/explicit/engines/explicit_runge_kutta.h"
+#include "engine/integrators/explicit/methods.h"
+
+namespace muelle::engine {
+
+namespace {
+
+MethodInfo describe() {
+  MethodInfo info;
+  info.id = "explicit_midpoint";
+  info.name = "explicit midpoint";
+  info.order = 2;
+  info.stages = 2;
+  info.conservesMomentum = true;
+  info.stability = Stability::Never;
+  info.imaginaryLimit = 0.0;
+  info.realLimit = 2.0;
+  info.formula = "y' = g(t, y), y = (x, v):  y+ = y + h g(t + h/2, y + h/2 g(t, y))";
+  info.source = "Runge, Math. Annalen 46 (1895) 167-178";
+  info.remark =
+      "an undamped oscillator's energy grows by (h omega)^4 / 4 a step, slowly enough to be missed; velocity Verlet "
+      "has "
+      "the same order at half the cost and no growth";
+  return info;
+}
+
+}  // namespace
+
+/// R(z) = 1 + z + z^2/2.
+std::unique_ptr<Method> explicitMidpoint() {
+  return std::make_unique<ExplicitRungeKutta>(describe(),
+                                              ButcherTableau{.c = {0.0, 0.5}, .a = {{}, {0.5}}, .b = {0.0, 1.0}});
+}
+
+}  // namespace muelle::engine

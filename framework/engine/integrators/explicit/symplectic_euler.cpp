@@ -1,0 +1,59 @@
+#include "engine/integrators/explicit/engines/combination.h"
+#include "engine/integrators/explicit/methods.h"
+
+namespace muelle::engine {
+
+namespace {
+
+MethodInfo describe() {
+  MethodInfo info;
+  info.id = "symplectic_euler";
+  info.name = "symplectic Euler";
+  info.order = 1;
+  info.stages = 1;
+  info.symplectic = true;
+  info.conservesMomentum = true;
+  info.conservesAngularMomentum = true;
+  info.imaginaryLimit = 2.0;
+  info.realLimit = 2.0;
+  info.formula = "v+ = v + h F(t, x, v) / m;  x+ = x + h v+";
+  info.source = "Hairer, Lubich and Wanner, Geometric Numerical Integration (2006), I.1.2";
+  info.remark =
+      "the cheapest method that keeps an oscillator alive; first order in positions and velocities, but its phase is "
+      "that of velocity Verlet. With damping it is stable up to (h omega)^2 + 2 h d/m = 4. Velocity-dependent forces "
+      "end its symplecticity and the conservation of angular momentum";
+  return info;
+}
+
+class SymplecticEuler : public Method {
+ public:
+  const MethodInfo& info() const override {
+    static const MethodInfo facts = describe();
+    return facts;
+  }
+
+  void prepare(const System& system, const Tolerance&) override {
+    force_.resize(static_cast<std::size_t>(system.size()));
+  }
+
+  StepResult step(const System& system, const State& from, double h, State& to) override {
+    prepareResult(from, h, to);
+    system.force(from.t, from.x, from.v, from.z, force_);
+    ++work_.forceEvaluations;
+    const std::span<const double> m = system.mass();
+    for (std::size_t i = 0; i < force_.size(); ++i) {
+      to.v[i] = from.v[i] + h / m[i] * force_[i];
+      to.x[i] = from.x[i] + h * to.v[i];
+    }
+    return finiteOrFailure(system, from, to, 0.0);
+  }
+
+ private:
+  std::vector<double> force_;
+};
+
+}  // namespace
+
+std::unique_ptr<Method> symplecticEuler() { return std::make_unique<SymplecticEuler>(); }
+
+}  // namespace muelle::engine
