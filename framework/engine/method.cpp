@@ -23,6 +23,15 @@ double cubic(double theta, double v0, double a0, double v1, double a1) {
 
 }  // namespace
 
+StepResult Method::stepIncrement(const System& system, const State& from, double h, State& increment) {
+  StepResult result = step(system, from, h, increment);
+  for (std::size_t i = 0; i < from.x.size(); ++i) {
+    increment.x[i] -= from.x[i];
+    increment.v[i] -= from.v[i];
+  }
+  return result;
+}
+
 void Method::interpolate(const System& system, const State& from, const State& to, double theta, State& out) {
   const double h = to.t - from.t;
   const auto n = from.x.size();

@@ -34,6 +34,13 @@ class Method {
   /// One step of h [s], positive, from `from` to `to`: another object with the same sizes. z is copied, t advanced.
   virtual StepResult step(const System& system, const State& from, double h, State& to) = 0;
 
+  /// Whether stepIncrement() knows the change over a step better than the difference of two rounded states does.
+  virtual bool hasIncrements() const { return false; }
+  /// As step(), but `increment` receives the change of x and v over the step instead of the state after it, for
+  /// compensated summation: an increment is rounded to its own size, a state to the size of the state. The default is
+  /// the difference of the states.
+  virtual StepResult stepIncrement(const System& system, const State& from, double h, State& increment);
+
   /// Forgets what was kept from earlier steps (last force, earlier states): after a discontinuity.
   virtual void restart() {}
   /// Called when the last step() was accepted: methods with memory shift it here, so that a rejected step leaves none.

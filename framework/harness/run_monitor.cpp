@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace muelle {
 
@@ -29,13 +30,24 @@ int guessDimension(std::span<const double> mass) {
   return 3;
 }
 
+std::string nodeName(std::size_t unknown, std::size_t dimension) {
+  if (dimension == 1) return fmt::format("node {}", unknown);
+  return fmt::format("node {} ({})", unknown / dimension, "xyz"[unknown % dimension]);
+}
+
 }  // namespace
 
 RunMonitor::RunMonitor(const DynamicalSystem& system, double explosion, double duration, int dimension)
+    : RunMonitor(system, explosion, duration,
+                 [d = static_cast<std::size_t>(dimension > 0 ? dimension : guessDimension(system.mass()))](
+                     std::size_t unknown) { return nodeName(unknown, d); }) {}
+
+RunMonitor::RunMonitor(const DynamicalSystem& system, double explosion, double duration,
+                       std::function<std::string(std::size_t unknown)> name)
     : system_(system),
       explosion_(explosion),
       duration_(duration),
-      dimension_(dimension > 0 ? dimension : guessDimension(system.mass())),
+      name_(std::move(name)),
       force_(static_cast<std::size_t>(system.size()), 0.0) {}
 
 StopReport RunMonitor::checkStart(const State& start) {
@@ -84,7 +96,7 @@ StopReport RunMonitor::checkForce(const State& state) {
 
 StopReport RunMonitor::notFinite(double t, std::size_t unknown, const char* what) const {
   return {true, t, static_cast<int>(unknown),
-          fmt::format("t = {:.6g} s, {}: the {} is not finite", t, nodeName(unknown), what)};
+          fmt::format("t = {:.6g} s, {}: the {} is not finite", t, name_(unknown), what)};
 }
 
 StopReport RunMonitor::exploded(const State& state, double kineticEnergy) const {
@@ -95,13 +107,7 @@ StopReport RunMonitor::exploded(const State& state, double kineticEnergy) const 
           fmt::format("t = {:.6g} s, {}: the energy explodes (velocity {:.3g} m/s, kinetic energy {:.3g} J, more than "
                       "{:.3g} times its natural scale of {:.3g} J); look for a force with the wrong sign or a step too "
                       "long for the stiffness",
-                      state.t, nodeName(unknown), *fastest, kineticEnergy, explosion_, energyScale_)};
-}
-
-std::string RunMonitor::nodeName(std::size_t unknown) const {
-  const auto dimension = static_cast<std::size_t>(dimension_);
-  if (dimension == 1) return fmt::format("node {}", unknown);
-  return fmt::format("node {} ({})", unknown / dimension, "xyz"[unknown % dimension]);
+                      state.t, name_(unknown), *fastest, kineticEnergy, explosion_, energyScale_)};
 }
 
 }  // namespace muelle

@@ -2,6 +2,8 @@
 #include "harness/dynamical_system.h"
 #include "harness/trajectory.h"
 
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace muelle {
@@ -11,6 +13,9 @@ class RunMonitor {
  public:
   /// \param explosion, duration, dimension as in SimulationOptions
   RunMonitor(const DynamicalSystem& system, double explosion, double duration, int dimension);
+  /// The same with names of the caller's for the unknowns, for systems that number them otherwise.
+  RunMonitor(const DynamicalSystem& system, double explosion, double duration,
+             std::function<std::string(std::size_t unknown)> name);
 
   /// Checks the first state and its forces, and takes the natural scale of the kinetic energy from them.
   StopReport checkStart(const State& start);
@@ -22,12 +27,11 @@ class RunMonitor {
   StopReport exploded(const State& state, double kineticEnergy) const;
   /// Whether the forces at the state are finite; a report when they are not.
   StopReport checkForce(const State& state);
-  std::string nodeName(std::size_t unknown) const;
 
   const DynamicalSystem& system_;
   double explosion_;
   double duration_;
-  int dimension_;
+  std::function<std::string(std::size_t)> name_;
   double energyScale_ = 0.0;
   std::vector<double> force_;
 };

@@ -25,9 +25,10 @@ struct RunOptions {
   bool compensated = false;           ///< compensated summation of the state and of the time (long runs)
   bool checkStability = true;         ///< warn before the run of a step beyond the stability limit
   bool checkNumericalDamping = true;  ///< warn when the method damps modes that carry energy more than the scene does
-  bool keepStates = true;             ///< record the states; false keeps only the last (long runs)
-  double explosion = 1e6;             ///< stop when the kinetic energy exceeds this multiple of its natural scale
-  std::string label = {};             ///< of the progress bar; empty: none
+  /// Record every output; false keeps only the last one, though the probes are called at each (long runs).
+  bool keepStates = true;
+  double explosion = 1e6;  ///< stop when the kinetic energy exceeds this multiple of its natural scale
+  std::string label = {};  ///< of the progress bar; empty: none
 };
 
 /// Something found during a run, with its time.

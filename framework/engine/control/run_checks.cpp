@@ -1,0 +1,87 @@
+#include "engine/control/run_checks.h"
+
+#include <fmt/format.h>
+#include <cmath>
+#include <stdexcept>
+
+namespace muelle::engine {
+
+namespace {
+
+void require(bool holds, const std::string& message) {
+  if (!holds) throw std::invalid_argument("simulate: " + message);
+}
+
+bool isPositive(double value) { return value > 0.0 && std::isfinite(value); }
+
+void checkStep(const RunOptions& options, bool adaptive) {
+  if (adaptive) {
+    require(options.h == 0.0 || isPositive(options.h),
+            fmt::format("the first step h is {} s; it must be positive and finite, or 0 to be chosen", options.h));
+    require(options.largestStep > 0.0,
+            fmt::format("largestStep is {} s; it must be positive (infinite: no limit)", options.largestStep));
+    const Tolerance& tolerance = options.tolerance;
+    const bool sane = tolerance.relative >= 0.0 && tolerance.absolute >= 0.0 && std::isfinite(tolerance.relative) &&
+                      std::isfinite(tolerance.absolute) && tolerance.relative + tolerance.absolute > 0.0;
+    require(sane, fmt::format("the tolerances are {} (relative) and {} (absolute); they must be finite, not negative, "
+                              "and not both zero",
+                              tolerance.relative, tolerance.absolute));
+    return;
+  }
+  require(isPositive(options.h), fmt::format("the step h is {} s; it must be positive and finite", options.h));
+  require(options.duration / options.h < 1e12,
+          fmt::format("{} s in steps of {} s are too many steps", options.duration, options.h));
+}
+
+void checkOutputs(const RunOptions& options, const State& start) {
+  require(options.outputInterval >= 0.0 && std::isfinite(options.outputInterval),
+          fmt::format("outputInterval is {} s; it must be positive, or 0 for every step", options.outputInterval));
+  require(options.outputInterval == 0.0 || options.duration / options.outputInterval < 1e9,
+          fmt::format("{} s with an output every {} s are too many outputs", options.duration, options.outputInterval));
+  double before = start.t;
+  for (const double t : options.outputTimes) {
+    require(t >= before && t <= start.t + options.duration,
+            fmt::format("the output time {} s is out of order or outside the run from {} to {} s", t, start.t,
+                        start.t + options.duration));
+    before = t;
+  }
+  for (const Probe& probe : options.probes) {
+    require(static_cast<bool>(probe.measure), "the probe '" + probe.name + "' has no function");
+  }
+}
+
+}  // namespace
+
+void checkOptions(const RunOptions& options, const State& start, bool adaptive) {
+  require(isPositive(options.duration),
+          fmt::format("the duration is {} s; it must be positive and finite", options.duration));
+  require(
+      start.t + options.duration > start.t,
+      fmt::format("the duration of {} s is lost in the rounding of the start time {} s", options.duration, start.t));
+  checkStep(options, adaptive);
+  checkOutputs(options, start);
+  require(options.explosion > 0.0, fmt::format("explosion is {}; it must be positive", options.explosion));
+  require(options.mostSteps > 0 && options.mostForceEvaluations > 0,
+          "the limits of steps and force evaluations must "
+          "be positive");
+}
+
+void checkSizes(const System& system, const State& start) {
+  const auto size = static_cast<std::size_t>(system.size());
+  require(size > 0, "the system has no unknown");
+  require(start.x.size() == size && start.v.size() == size,
+          fmt::format("the state has {} positions and {} velocities, the system {} unknowns", start.x.size(),
+                      start.v.size(), size));
+  const auto internal = static_cast<std::size_t>(system.internalSize());
+  require(start.z.empty() || start.z.size() == internal,
+          fmt::format("the state has {} internal variables, the system {}", start.z.size(), internal));
+  const std::span<const double> mass = system.mass();
+  require(mass.size() == size, fmt::format("{} masses for {} unknowns", mass.size(), size));
+  for (std::size_t i = 0; i < size; ++i) {
+    require(isPositive(mass[i]), fmt::format("{}: the mass is {} kg; a mass is positive and finite",
+                                             system.unknownName(static_cast<int>(i)), mass[i]));
+  }
+  require(std::isfinite(start.t), "the start time is not finite");
+}
+
+}  // namespace muelle::engine

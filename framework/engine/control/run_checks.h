@@ -1,0 +1,11 @@
+#pragma once
+#include "engine/control/simulate.h"
+
+namespace muelle::engine {
+
+/// Throws std::invalid_argument when an option makes no sense for a run from `start` with this method.
+void checkOptions(const RunOptions& options, const State& start, bool adaptive);
+/// Throws std::invalid_argument when sizes, masses or the start time make no sense.
+void checkSizes(const System& system, const State& start);
+
+}  // namespace muelle::engine

@@ -1,0 +1,56 @@
+#include "engine/control/run_recorder.h"
+
+#include "engine/control/step_grid.h"
+
+#include <cmath>
+#include <utility>
+
+namespace muelle::engine {
+
+RunRecorder::RunRecorder(const RunOptions& options, double start) : options_(options), start_(start) {
+  for (const Probe& probe : options.probes) trajectory_.tracks.push_back({probe.name, probe.unit, {}});
+}
+
+void RunRecorder::record(const State& state) {
+  if (!options_.keepStates) {
+    trajectory_.t.clear();
+    trajectory_.x.clear();
+    trajectory_.v.clear();
+    for (Track& track : trajectory_.tracks) track.values.clear();
+  }
+  trajectory_.t.push_back(state.t);
+  trajectory_.x.push_back(state.x);
+  trajectory_.v.push_back(state.v);
+  for (std::size_t i = 0; i < options_.probes.size(); ++i) {
+    trajectory_.tracks[i].values.push_back(options_.probes[i].measure(state));
+  }
+}
+
+void RunRecorder::recordOnce(const State& state) {
+  if (trajectory_.t.empty() || trajectory_.t.back() != state.t) record(state);
+}
+
+void RunRecorder::recordInside(const System& system, Method& method, const State& from, const State& to) {
+  endDue_ = options_.outputInterval == 0.0;
+  if (endDue_) return;
+  const double h = to.t - from.t;
+  const double near = 1e-9 * h + timeRounding(from.t, to.t);  // then the step's end itself is the output
+  for (; due() <= to.t + near; ++next_) {
+    endDue_ = due() >= to.t - near;
+    if (endDue_) continue;
+    method.interpolate(system, from, to, (due() - from.t) / h, inside_);
+    inside_.t = due();
+    record(inside_);
+  }
+}
+
+void RunRecorder::recordEnd(const State& state, bool asked) {
+  if (endDue_ || asked) record(state);
+}
+
+Trajectory RunRecorder::finish(StopReport stop) {
+  trajectory_.stop = std::move(stop);
+  return std::move(trajectory_);
+}
+
+}  // namespace muelle::engine

@@ -1,0 +1,32 @@
+#pragma once
+#include "engine/control/simulate.h"
+
+namespace muelle::engine {
+
+/// Collects the outputs of a run and what the probes measure there.
+class RunRecorder {
+ public:
+  RunRecorder(const RunOptions& options, double start);
+
+  void record(const State& state);
+  /// Records the state unless it is the one recorded last.
+  void recordOnce(const State& state);
+  /// Records the outputs that lie inside the step from `from` to `to`, by the method's dense output. To be called
+  /// before the method's accept().
+  void recordInside(const System& system, Method& method, const State& from, const State& to);
+  /// Records `state`, which a step has reached, when an output is due there.
+  void recordEnd(const State& state, bool asked);
+  Trajectory finish(StopReport stop);
+
+ private:
+  double due() const { return start_ + static_cast<double>(next_) * options_.outputInterval; }
+
+  const RunOptions& options_;
+  double start_;
+  long long next_ = 1;  // the next multiple of the output interval
+  bool endDue_ = false;
+  State inside_;
+  Trajectory trajectory_;
+};
+
+}  // namespace muelle::engine

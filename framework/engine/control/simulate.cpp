@@ -1,0 +1,301 @@
+#include "engine/control/simulate.h"
+
+#include "engine/control/run_checks.h"
+#include "engine/control/run_recorder.h"
+#include "engine/control/step_controller.h"
+#include "engine/control/step_grid.h"
+#include "engine/control/stepper.h"
+#include "harness/progress_bar.h"
+#include "harness/run_monitor.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace muelle::engine {
+
+namespace {
+
+constexpr int mostRetries = 30;
+constexpr std::size_t mostKeptEvents = 10'000;
+
+std::vector<double> declaredTimes(const System& system, double from, double to) {
+  std::vector<double> times;
+  if (system.switching() != nullptr) system.switching()->declaredTimes(from, to, times);
+  return times;
+}
+
+/// One run: plans each step, takes it, looks at what came out, and goes on from there.
+class Run {
+ public:
+  Run(const System& system, Method& method, State start, const RunOptions& options);
+  RunResult go();
+
+ private:
+  void begin();
+  bool advance();
+  PlannedStep plan() const;
+  PlannedStep planByError() const;
+  void cutAtObstacles(PlannedStep& step);
+  bool take(PlannedStep& step);
+  bool retryFailed(const PlannedStep& step, const StepResult& result);
+  bool retryInexact(const PlannedStep& step, const StepResult& result);
+  void shorten(PlannedStep& step, double length) const;
+  void finishStep(const PlannedStep& step);
+  bool limitsHold();
+  bool stop(StopReport report);
+  void warnOnce(bool& given, std::string text);
+  void addEvent(std::string what);
+  double shortestStep() const;
+  RunResult finish();
+
+  const System& system_;
+  Method& method_;
+  const RunOptions& options_;
+  const Switching* switching_;
+  bool adaptive_;
+  bool frozen_;
+  double start_;
+  double end_;
+  State from_, to_;
+  StopTimes stops_;
+  TimeGrid grid_;
+  std::optional<StepController> controller_;
+  Stepper stepper_;
+  RunRecorder recorder_;
+  RunMonitor monitor_;
+  StopReport report_;
+  RunResult result_;
+  double piece_ = std::numeric_limits<double>::infinity();  // longest step after failures of a fixed step
+  int retries_ = 0;                                         // of the present step
+  bool warnedOfCuts_ = false;
+  bool warnedOfFailures_ = false;
+};
+
+Run::Run(const System& system, Method& method, State start, const RunOptions& options)
+    : system_(system),
+      method_(method),
+      options_(options),
+      switching_(system.switching()),
+      adaptive_(method.info().adaptive && !options.fixedStep),
+      frozen_(options.locateEvents && system.switching() != nullptr),
+      start_(start.t),
+      end_(start.t + options.duration),
+      from_(std::move(start)),
+      stops_(start_, end_, frozen_ ? declaredTimes(system, start_, end_) : std::vector<double>{}, options.outputTimes),
+      grid_(start_, options.h),
+      stepper_(system, method, options.compensated, from_.x.size()),
+      recorder_(options, start_),
+      monitor_(system, options.explosion, options.duration,
+               [&system](std::size_t unknown) { return system.unknownName(static_cast<int>(unknown)); }) {
+  if (from_.z.empty()) from_.z.assign(static_cast<std::size_t>(system.internalSize()), 0.0);
+}
+
+RunResult Run::go() {
+  using Clock = std::chrono::steady_clock;
+  const auto begun = Clock::now();
+  ProgressBar progress(options_.label);
+  method_.resetWork();
+  report_ = monitor_.checkStart(from_);
+  if (!report_.stopped) {
+    begin();
+    while (!stops_.finished() && advance()) progress.update((from_.t - start_) / options_.duration);
+  } else {
+    recorder_.record(from_);
+  }
+  RunResult result = finish();
+  result.wallTime = std::chrono::duration<double>(Clock::now() - begun).count();
+  return result;
+}
+
+void Run::begin() {
+  method_.prepare(system_, options_.tolerance);
+  if (switching_ != nullptr) switching_->commit(from_, frozen_);
+  method_.restart();
+  to_ = from_;
+  recorder_.record(from_);
+  result_.smallestStep = std::numeric_limits<double>::infinity();
+  if (options_.compensated && !method_.hasIncrements()) {
+    result_.warnings.push_back(fmt::format(
+        "{} does not give its increments: compensated summation removes none of its rounding", method_.info().name));
+  }
+  if (!adaptive_) return;
+  const int order = std::max(1, method_.info().order);
+  const double h = options_.h > 0.0
+                       ? options_.h
+                       : firstStep(system_, from_, order, options_.tolerance, options_.duration, result_.work);
+  controller_.emplace(order, h, options_.largestStep);
+}
+
+double Run::shortestStep() const { return std::max(2.0 * timeRounding(from_.t, end_), 1e-15 * options_.duration); }
+
+PlannedStep Run::planByError() const {
+  const double h = controller_->h();
+  const double rest = stops_.next().t - from_.t;
+  if (rest <= h * (1.0 + 1e-6)) return {stops_.next().t, rest, true, false};
+  // Two equal steps to the stop instead of a long one and a sliver.
+  const double t = from_.t + (rest < 2.0 * h ? 0.5 * rest : h);
+  // The length is the difference of the two times, which is exact, so that the time never drifts from the sum of steps.
+  return {t, t - from_.t, false, false};
+}
+
+PlannedStep Run::plan() const {
+  PlannedStep step = adaptive_ ? planByError() : grid_.plan(from_.t, stops_.next());
+  if (step.length > piece_) shorten(step, piece_);
+  return step;
+}
+
+void Run::shorten(PlannedStep& step, double length) const {
+  step.t = from_.t + length;
+  step.length = step.t - from_.t;
+  step.reachesStop = step.reachesGrid = false;
+}
+
+void Run::cutAtObstacles(PlannedStep& step) {
+  if (switching_ == nullptr) return;
+  const double bound = switching_->sweptBound(from_.t, from_.x, from_.v, from_.z, step.length);
+  if (bound >= step.length) return;
+  const double pieces = std::ceil(step.length / std::max(bound, shortestStep()));
+  shorten(step, step.length / pieces);
+  ++result_.subdividedSteps;
+  if (warnedOfCuts_) return;
+  warnOnce(warnedOfCuts_,
+           fmt::format("t = {:.6g} s: the step is cut to {:.3g} s so that no node passes through an obstacle", from_.t,
+                       step.length));
+}
+
+bool Run::advance() {
+  retries_ = 0;
+  PlannedStep step = plan();
+  cutAtObstacles(step);
+  if (!take(step)) return false;
+  finishStep(step);
+  return limitsHold();
+}
+
+bool Run::take(PlannedStep& step) {
+  for (;;) {
+    const StepResult result = stepper_.step(from_, step.length, step.t, to_);
+    bool again = false;
+    if (!result.done) {
+      again = retryFailed(step, result);
+    } else if (adaptive_ && !(result.error <= 1.0)) {
+      again = retryInexact(step, result);
+    } else {
+      if (adaptive_) controller_->accept(step.length, result.error);
+      return stop(monitor_.checkStep(from_, to_));
+    }
+    if (!again) return false;
+    shorten(step, adaptive_ ? std::min(controller_->h(), step.length) : piece_);
+  }
+}
+
+bool Run::retryFailed(const PlannedStep& step, const StepResult& result) {
+  ++result_.work.rejectedSteps;
+  if (adaptive_) controller_->fail(step.length);
+  piece_ = adaptive_ ? piece_ : 0.5 * step.length;
+  if (++retries_ <= mostRetries && 0.25 * step.length > shortestStep()) {
+    if (!warnedOfFailures_) {
+      warnOnce(warnedOfFailures_, fmt::format("t = {:.6g} s: a step of {:.3g} s failed ({}) and is taken in pieces",
+                                              from_.t, step.length, result.failure));
+    }
+    return true;
+  }
+  return stop({true, from_.t, -1,
+               fmt::format("t = {:.6g} s: {} fails even with a step of {:.3g} s: {}", from_.t, method_.info().name,
+                           step.length, result.failure)});
+}
+
+bool Run::retryInexact(const PlannedStep& step, const StepResult& result) {
+  ++result_.work.rejectedSteps;
+  controller_->reject(step.length, result.error);
+  const bool overflow = !std::isfinite(result.error);
+  ++retries_;
+  if (retries_ <= mostRetries && controller_->h() > shortestStep()) return true;
+  if (overflow && !stop(monitor_.checkStep(from_, to_))) return false;
+  return stop(
+      {true, from_.t, -1,
+       fmt::format("t = {:.6g} s: the step falls below {:.3g} s and its error is still {:.3g} times the "
+                   "tolerance; look for a force that jumps, or ask for less than {:.1g} (relative) and {:.1g} "
+                   "(absolute)",
+                   from_.t, step.length, result.error, options_.tolerance.relative, options_.tolerance.absolute)});
+}
+
+void Run::finishStep(const PlannedStep& step) {
+  recorder_.recordInside(system_, method_, from_, to_);
+  stepper_.accept();
+  std::swap(from_, to_);
+  ++result_.work.steps;
+  result_.smallestStep = std::min(result_.smallestStep, step.length);
+  if (!adaptive_) grid_.moved(step.reachesGrid);
+  // After a failure the pieces grow again, at most to the grid's step.
+  if (piece_ < options_.h) piece_ *= 2.0;
+
+  bool asked = false;
+  bool jump = false;
+  if (step.reachesStop) {
+    asked = stops_.next().output;
+    jump = stops_.next().declared;
+    stops_.advance();
+    if (jump) addEvent("declared time");
+  }
+  if (switching_ != nullptr && switching_->commit(from_, frozen_)) jump = true;
+  if (jump) method_.restart();
+  recorder_.recordEnd(from_, asked);
+}
+
+bool Run::limitsHold() {
+  if (stops_.finished()) return true;
+  if (result_.work.steps >= options_.mostSteps) {
+    return stop({true, from_.t, -1,
+                 fmt::format("t = {:.6g} s: the limit of {} steps is reached", from_.t, options_.mostSteps)});
+  }
+  const long long evaluations = result_.work.forceEvaluations + method_.work().forceEvaluations;
+  if (evaluations < options_.mostForceEvaluations) return true;
+  return stop({true, from_.t, -1,
+               fmt::format("t = {:.6g} s: the limit of {} force evaluations is reached", from_.t,
+                           options_.mostForceEvaluations)});
+}
+
+/// Takes the report; true when there is nothing to stop for.
+bool Run::stop(StopReport report) {
+  report_ = std::move(report);
+  return !report_.stopped;
+}
+
+void Run::warnOnce(bool& given, std::string text) {
+  if (!given) result_.warnings.push_back(std::move(text));
+  given = true;
+}
+
+void Run::addEvent(std::string what) {
+  ++result_.work.events;
+  if (result_.events.size() < mostKeptEvents) result_.events.push_back({from_.t, std::move(what)});
+}
+
+RunResult Run::finish() {
+  recorder_.recordOnce(from_);
+  result_.trajectory = recorder_.finish(std::move(report_));
+  result_.last = std::move(from_);
+  const Work own = result_.work;
+  Work method = method_.work();
+  method.steps = method.rejectedSteps = method.events = 0;  // counted here
+  result_.work = own;
+  result_.work += method;
+  if (!std::isfinite(result_.smallestStep)) result_.smallestStep = 0.0;
+  return std::move(result_);
+}
+
+}  // namespace
+
+RunResult simulate(const System& system, Method& method, State start, const RunOptions& options) {
+  checkSizes(system, start);
+  checkOptions(options, start, method.info().adaptive && !options.fixedStep);
+  return Run(system, method, std::move(start), options).go();
+}
+
+}  // namespace muelle::engine

@@ -1,0 +1,37 @@
+#pragma once
+#include "engine/method.h"
+
+namespace muelle::engine {
+
+/// Chooses the steps of a method with an error estimate: the PI controller of Gustafsson in the form of Hairer, Norsett
+/// and Wanner I, section II.4 (safety 0.9, beta = 0.2/order, growth between 0.2 and 10, none after a rejected step).
+class StepController {
+ public:
+  /// \param order of the method: the local error is taken to be proportional to h^order
+  /// \param h first step [s]
+  StepController(int order, double h, double largestStep);
+
+  double h() const { return h_; }
+  /// A step of `length` was good (error <= 1). A step cut short for another reason does not shorten the next.
+  void accept(double length, double error);
+  /// A step of `length` had an error above 1, or one that is not finite.
+  void reject(double length, double error);
+  /// A step of `length` could not be taken at all.
+  void fail(double length);
+
+ private:
+  double beta_;
+  double exponent_;
+  double h_;
+  double largest_;
+  double lastError_ = 1e-4;
+  bool afterRejection_ = false;
+};
+
+/// A first step [s] after Hairer, Norsett and Wanner I, section II.4: such that an explicit Euler step changes the
+/// state by a hundredth, and the method's first error is about a hundredth of the tolerance. Two force evaluations,
+/// which are added to `work`.
+double firstStep(const System& system, const State& start, int order, const Tolerance& tolerance, double duration,
+                 Work& work);
+
+}  // namespace muelle::engine

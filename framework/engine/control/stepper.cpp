@@ -1,0 +1,49 @@
+#include "engine/control/stepper.h"
+
+#include <utility>
+
+namespace muelle::engine {
+
+namespace {
+
+/// values[i] holds an increment on entry and from[i] + lowBefore[i] + increment, rounded, at the end; lowAfter[i] is
+/// what the rounding lost.
+void addCompensated(const std::vector<double>& from, const std::vector<double>& lowBefore, std::vector<double>& values,
+                    std::vector<double>& lowAfter) {
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const double addend = values[i] + lowBefore[i];
+    const double sum = from[i] + addend;
+    const double part = sum - from[i];
+    lowAfter[i] = (from[i] - (sum - part)) + (addend - part);
+    values[i] = sum;
+  }
+}
+
+}  // namespace
+
+Stepper::Stepper(const System& system, Method& method, bool compensated, std::size_t size)
+    : system_(system), method_(method), compensated_(compensated) {
+  if (!compensated) return;
+  for (Low* low : {&low_, &nextLow_}) {
+    low->x.assign(size, 0.0);
+    low->v.assign(size, 0.0);
+  }
+}
+
+StepResult Stepper::step(const State& from, double h, double t, State& to) {
+  StepResult result = compensated_ ? method_.stepIncrement(system_, from, h, to) : method_.step(system_, from, h, to);
+  if (compensated_ && result.done) {
+    addCompensated(from.x, low_.x, to.x, nextLow_.x);
+    addCompensated(from.v, low_.v, to.v, nextLow_.v);
+    to.z = from.z;
+  }
+  to.t = t;
+  return result;
+}
+
+void Stepper::accept() {
+  std::swap(low_, nextLow_);
+  method_.accept();
+}
+
+}  // namespace muelle::engine

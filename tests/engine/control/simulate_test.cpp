@@ -1,0 +1,69 @@
+#include "engine/control/simulate.h"
+
+#include "support/linear_system.h"
+#include "test_methods.h"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <numbers>
+
+namespace muelle::engine {
+namespace {
+
+using testing::LinearSystem;
+
+State oscillatorAt(double x, double v) { return {0.0, {x}, {v}, {}}; }
+
+TEST(FixedStep, EndsExactlyAndShortensOnlyTheLastStep) {
+  const LinearSystem system(1.0, 0.0);
+  const auto method = testing::classicalRungeKutta();
+  RunOptions options;
+  options.h = 0.1;
+  options.duration = 1.05;
+  const RunResult run = simulate(system, *method, oscillatorAt(1.0, 0.0), options);
+  ASSERT_FALSE(run.failed());
+  ASSERT_EQ(run.trajectory.t.size(), 12U);
+  for (int n = 0; n <= 10; ++n) EXPECT_EQ(run.trajectory.t[static_cast<std::size_t>(n)], n * 0.1);
+  EXPECT_EQ(run.last.t, 1.05);
+  EXPECT_EQ(run.work.steps, 11);
+  EXPECT_EQ(run.work.forceEvaluations, 44);
+  EXPECT_NEAR(run.last.x[0], std::cos(1.05), 1e-6);
+  EXPECT_NEAR(run.smallestStep, 0.05, 1e-15);
+}
+
+TEST(FixedStep, TheRoundingOfTheGridMakesNoStepOfItsOwn) {
+  const LinearSystem system(1.0, 0.0);
+  const auto method = testing::classicalRungeKutta();
+  RunOptions options;
+  options.h = 1.0 / 60.0;
+  options.duration = 100.0;
+  options.outputInterval = 0.5;
+  const RunResult run = simulate(system, *method, oscillatorAt(1.0, 0.0), options);
+  EXPECT_EQ(run.work.steps, 6000);
+  EXPECT_EQ(run.work.forceEvaluations, 24000) << "outputs at grid points need no dense output";
+  EXPECT_EQ(run.trajectory.t.size(), 201U);
+  EXPECT_EQ(run.smallestStep, options.h);
+}
+
+TEST(AdaptiveStep, KeepsTheToleranceAndHitsTheOutputTimes) {
+  const LinearSystem system(3.0, 0.2);
+  const auto method = testing::bogackiShampine();
+  RunOptions options;
+  options.duration = 5.0;
+  options.tolerance = {1e-9, 1e-9};
+  options.outputTimes = {0.7, 1.3000000000000003, 4.0};
+  options.outputInterval = 100.0;
+  const RunResult run = simulate(system, *method, oscillatorAt(1.0, 0.0), options);
+  ASSERT_FALSE(run.failed()) << run.trajectory.stop.message;
+  ASSERT_EQ(run.trajectory.t, (std::vector<double>{0.0, 0.7, 1.3000000000000003, 4.0, 5.0}));
+  const double w = std::sqrt(9.0 - 0.01);
+  for (std::size_t i = 0; i < run.trajectory.t.size(); ++i) {
+    const double t = run.trajectory.t[i];
+    const double exact = std::exp(-0.1 * t) * (std::cos(w * t) + 0.1 / w * std::sin(w * t));
+    EXPECT_NEAR(run.trajectory.x[i][0], exact, 2e-7);
+  }
+  EXPECT_GT(run.work.steps, 100);
+}
+
+}  // namespace
+}  // namespace muelle::engine
