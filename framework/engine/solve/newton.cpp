@@ -150,9 +150,9 @@ Newton::Search Newton::searchResidual() {
 }
 
 /// Simplified Newton steps with the last factorisation, as long as each at least halves the residual.
-void Newton::polish(double threshold) {
+void Newton::keepMatrix() {
   std::string failure;
-  for (int i = 0; i < 20 && here_.size > threshold; ++i) {
+  for (int i = 0; i < 50 && here_.size > 0.0; ++i) {
     if (!direction(failure)) return;
     scratch_ = here_.w + step_;
     evaluate(scratch_, trial_);
@@ -242,8 +242,9 @@ NewtonReport Newton::solve(const System& system, const ImplicitStage& stage, con
     const bool slow = here_.size > 0.1 * before;
     if (potential && slow && relative_ < 1e-1 && !system.potential()->isComplete() && exactWorks) form = Form::Exact;
     if (slow && atFloor(here_, 64.0)) break;
+    if (options.simplified) keepMatrix();
   }
-  if (report.failure.empty() && options.polish && report.iterations > 0) polish(0.0);
+  if (report.failure.empty() && options.polish && report.iterations > 0) keepMatrix();
   w = here_.w;
   report.residual = relativeResidual(here_, 0.0, worst);
   report.done = report.failure.empty();

@@ -30,7 +30,8 @@ struct NewtonOptions {
   double tolerance =
       1e-12;  ///< of each unknown's residual, relative to the terms |M w| + tau |F| + |g| of its equation
   int mostIterations = 200;
-  bool polish = false;  ///< go on, with the last matrix, until the residual falls no further
+  bool polish = false;      ///< go on, with the last matrix, until the residual falls no further
+  bool simplified = false;  ///< keep each matrix as long as the residual at least halves with it
 };
 
 struct NewtonReport {
@@ -84,7 +85,7 @@ class Newton {
   Search searchEnergy(double slope);
   Search searchResidual();
   void updateFloor();
-  void polish(double threshold);
+  void keepMatrix();
 
   const System* system_ = nullptr;
   const ImplicitStage* stage_ = nullptr;
