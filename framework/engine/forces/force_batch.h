@@ -1,0 +1,86 @@
+#pragma once
+#include "engine/capabilities.h"
+#include "engine/forces/matrix_pattern.h"
+
+#include <string>
+#include <vector>
+
+namespace muelle::engine {
+
+/// Where all nodes are, free ones first, in the numbering of a built model; node i of dimension D has entries D i ..
+/// D i + D - 1. z are the internal variables of the whole model.
+struct Configuration {
+  double t = 0.0;             ///< [s]
+  const double* x = nullptr;  ///< [m]
+  const double* v = nullptr;  ///< [m/s]
+  const double* z = nullptr;
+};
+
+/// All the forces of one kind. Functions named add... add to arrays over all nodes; what falls on nodes that are not
+/// free is ignored by the system. A kind that has no part in something leaves the default, which does nothing.
+class ForceBatch {
+ public:
+  virtual ~ForceBatch() = default;
+
+  /// Whether the whole force derives from the energy.
+  virtual bool isConservative() const { return true; }
+  virtual bool usesVelocity() const { return false; }
+
+  /// All of the force [N].
+  virtual void addForce(const Configuration& at, double* f) const = 0;
+  /// Potential energy [J].
+  virtual double energy(const Configuration& at) const = 0;
+  /// -grad of the energy [N].
+  virtual void addConservativeForce(const Configuration& at, double* f) const { addForce(at, f); }
+  /// A discrete gradient force between two configurations: f . (xb - xa) = E(xa) - E(xb), element by element.
+  virtual void addDiscreteGradientForce(const Configuration& a, const Configuration& b, double* f) const = 0;
+
+  /// Says which nodes share an element.
+  virtual void couple(MatrixPattern&) const {}
+  /// Looks up where the elements' blocks go. After MatrixPattern::finish().
+  virtual void bind(const MatrixPattern&) {}
+  /// Adds cD D + cK K, K = -dF/dx, D = -dF/dv, to the values of a matrix of the bound pattern.
+  virtual void addDerivatives(const Configuration&, double /*cD*/, double /*cK*/, Form, double* /*values*/) const {}
+  /// Whether K of Form::Exact is not symmetric.
+  virtual bool hasNonSymmetricStiffness() const { return false; }
+
+  /// Columns of the low-rank part, for the unknowns alone, and their stiffness.
+  virtual int lowRankColumns() const { return 0; }
+  virtual void writeLowRank(double /*cK*/, Eigen::Ref<Eigen::MatrixXd> /*U*/, Eigen::Ref<Eigen::VectorXd> /*s*/) const {
+  }
+
+  /// Elements that are constraints for XPBD; a kind without any is an external force there, or left out.
+  virtual int constraintCount() const { return 0; }
+  /// Evaluates constraint j; unknowns from `freeSize` on are no unknowns and are dropped. False when it does not act.
+  virtual bool evaluateConstraint(int /*j*/, const Configuration&, int /*freeSize*/, Constraint&) const {
+    return false;
+  }
+  /// The part of the force that the constraints do not cover.
+  virtual void addExternalForce(const Configuration& at, double* f) const { addForce(at, f); }
+  /// What neither constraints nor external force cover; empty when nothing.
+  virtual std::string leftOut() const { return {}; }
+
+  /// Number of internal variables; they start at zOffset.
+  virtual int internalSize() const { return 0; }
+  void setInternalOffset(int offset) { zOffset_ = offset; }
+  virtual int guardCount() const { return 0; }
+  virtual void guards(const Configuration&, double* /*g*/) const {}
+  virtual std::string guardName(int) const { return {}; }
+  virtual void declaredTimes(double /*from*/, double /*to*/, std::vector<double>& /*times*/) const {}
+  /// Sets the internal variables for the configuration; true when the force may have changed.
+  virtual bool commit(const Configuration&, bool /*frozen*/, double* /*z*/) const { return false; }
+  /// Second part of a commit: `f` is the force on all nodes without friction. Only when wantsBalance() after commit().
+  virtual bool wantsBalance() const { return false; }
+  virtual bool balance(const Configuration&, const double* /*f*/, double* /*z*/) const { return false; }
+  /// Adds the force without its friction.
+  virtual void addForceWithoutFriction(const Configuration& at, double* f) const { addForce(at, f); }
+  /// Sets the mode of guard i to the far side of its zero.
+  virtual void cross(int /*guard*/, const Configuration&, double* /*z*/) const {}
+  /// The part of h in which nothing passes through an obstacle; `a` are accelerations of the free nodes' unknowns.
+  virtual double sweptBound(const Configuration&, const double* /*a*/, double h) const { return h; }
+
+ protected:
+  int zOffset_ = 0;
+};
+
+}  // namespace muelle::engine

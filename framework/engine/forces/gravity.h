@@ -1,0 +1,20 @@
+#pragma once
+#include "engine/forces/force_batch.h"
+
+namespace muelle::engine {
+
+/// Weight m g on every free unknown (slide "Todo junto"): E = -m g . x, whose Hessian is zero.
+class Gravity final : public ForceBatch {
+ public:
+  /// \param weight [N] of each free unknown, m g along its axis
+  explicit Gravity(std::vector<double> weight) : weight_(std::move(weight)) {}
+
+  void addForce(const Configuration& at, double* f) const override;
+  double energy(const Configuration& at) const override;
+  void addDiscreteGradientForce(const Configuration& a, const Configuration& b, double* f) const override;
+
+ private:
+  std::vector<double> weight_;
+};
+
+}  // namespace muelle::engine

@@ -1,0 +1,30 @@
+#pragma once
+#include "engine/forces/force_batch.h"
+
+namespace muelle::engine {
+
+/// Damping at the nodes, F = -d v (slide "Amortiguamiento", first of three): slows all motion, falls included.
+class NodeDrag final : public ForceBatch {
+ public:
+  /// \param coefficients d [kg/s] of each free unknown   \param dimension unknowns a node
+  NodeDrag(std::vector<double> coefficients, int dimension)
+      : coefficients_(std::move(coefficients)), dimension_(dimension) {}
+
+  std::span<const double> coefficients() const { return coefficients_; }
+
+  bool isConservative() const override { return false; }
+  bool usesVelocity() const override { return true; }
+  void addForce(const Configuration& at, double* f) const override;
+  double energy(const Configuration&) const override { return 0.0; }
+  void addConservativeForce(const Configuration&, double*) const override {}
+  void addDiscreteGradientForce(const Configuration&, const Configuration&, double*) const override {}
+  void bind(const MatrixPattern& pattern) override;
+  void addDerivatives(const Configuration& at, double cD, double cK, Form form, double* values) const override;
+
+ private:
+  std::vector<double> coefficients_;
+  int dimension_;
+  std::vector<int> diagonal_;
+};
+
+}  // namespace muelle::engine

@@ -1,0 +1,332 @@
+#include "engine/forces/spring.h"
+
+#include "engine/forces/length.h"
+#include "engine/forces/mode.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+namespace muelle::engine {
+
+namespace {
+
+/// Below this multiple of L0 a length gives a direction but no usable Hessian: L0 / L would near overflow.
+constexpr double shortest = 1e-100;
+
+}  // namespace
+
+template <int D>
+Spring<D>::Spring(std::vector<SpringElement> springs, SpringKind kind) : springs_(std::move(springs)), kind_(kind) {
+  for (SpringElement& s : springs_) {
+    if (D == 1) {
+      s.dRelative += s.dProjected;
+      s.dProjected = 0.0;
+    }
+    damped_ = damped_ || s.dRelative > 0.0 || s.dProjected > 0.0;
+    projected_ = projected_ || s.dProjected > 0.0;
+  }
+}
+
+template <int D>
+auto Spring<D>::difference(const SpringElement& s, const double* values) -> Vector {
+  return Eigen::Map<const Vector>(values + D * s.a) - Eigen::Map<const Vector>(values + D * s.b);
+}
+
+template <int D>
+const double* Spring<D>::internal(std::size_t i, const double* z) const {
+  return z + zOffset_ + i * (kind_ == SpringKind::Crossing ? D : 1);
+}
+
+template <int D>
+double* Spring<D>::internal(std::size_t i, double* z) const {
+  return z + zOffset_ + i * (kind_ == SpringKind::Crossing ? D : 1);
+}
+
+template <int D>
+double Spring<D>::sign(std::size_t i, const Vector& d, const double* z) const {
+  if (kind_ != SpringKind::Crossing) return 1.0;
+  return Eigen::Map<const Vector>(internal(i, z)).dot(d) < 0.0 ? -1.0 : 1.0;
+}
+
+template <int D>
+bool Spring<D>::acts(std::size_t i, double L, const double* z) const {
+  if (kind_ != SpringKind::Unilateral) return true;
+  const double own = *internal(i, z);
+  return own == mode::live ? L < springs_[i].L0 : own == mode::closed;
+}
+
+template <int D>
+double Spring<D>::signedLength(std::size_t i, const Vector& d, const double* z) const {
+  return sign(i, d, z) * length<D>(d);
+}
+
+template <int D>
+auto Spring<D>::elasticForce(std::size_t i, const Vector& d, const double* z) const -> Vector {
+  const SpringElement& s = springs_[i];
+  const double L = length<D>(d);
+  if (L == 0.0) {
+    // A frozen spring of 1D goes through zero length smoothly: its force there is that of its own side.
+    if (D == 1 && kind_ == SpringKind::Crossing) return s.k * s.L0 * Eigen::Map<const Vector>(internal(i, z));
+    return Vector::Zero();
+  }
+  if (!acts(i, L, z)) return Vector::Zero();
+  const double l = sign(i, d, z) * L;
+  if (L < shortest * s.L0) return -s.k * (l - s.L0) * (d / l);
+  return -s.k * ((l - s.L0) / l) * d;
+}
+
+template <int D>
+auto Spring<D>::dampingForce(const SpringElement& s, const Vector& d, const Vector& w) const -> Vector {
+  Vector F = -s.dRelative * w;
+  if (s.dProjected > 0.0) {
+    const double L = length<D>(d);
+    if (L > 0.0) {
+      const Vector n = d / L;
+      F -= s.dProjected * w.dot(n) * n;
+    }
+  }
+  return F;
+}
+
+template <int D>
+void Spring<D>::addForce(const Configuration& at, double* f) const {
+  if (!damped_) return addConservativeForce(at, f);
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    const SpringElement& s = springs_[i];
+    const Vector d = difference(s, at.x);
+    if (kind_ == SpringKind::Unilateral && !acts(i, length<D>(d), at.z)) continue;
+    const Vector F = elasticForce(i, d, at.z) + dampingForce(s, d, difference(s, at.v));
+    Eigen::Map<Vector>(f + D * s.a) += F;
+    Eigen::Map<Vector>(f + D * s.b) -= F;
+  }
+}
+
+template <int D>
+void Spring<D>::addConservativeForce(const Configuration& at, double* f) const {
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    const SpringElement& s = springs_[i];
+    const Vector F = elasticForce(i, difference(s, at.x), at.z);
+    Eigen::Map<Vector>(f + D * s.a) += F;
+    Eigen::Map<Vector>(f + D * s.b) -= F;
+  }
+}
+
+template <int D>
+double Spring<D>::energy(const Configuration& at) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    const SpringElement& s = springs_[i];
+    const Vector d = difference(s, at.x);
+    const double l = signedLength(i, d, at.z);
+    if (acts(i, l, at.z)) sum += 0.5 * s.k * (l - s.L0) * (l - s.L0);
+  }
+  return sum;
+}
+
+template <int D>
+void Spring<D>::addDiscreteGradientForce(const Configuration& a, const Configuration& b, double* f) const {
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    const SpringElement& s = springs_[i];
+    const Vector da = difference(s, a.x), db = difference(s, b.x);
+    Vector F = Vector::Zero();
+    if (kind_ == SpringKind::Unilateral) {
+      // E is a function of L alone: (Ea - Eb) / (La - Lb) times (da + db) / (La + Lb) is exact.
+      const double La = length<D>(da), Lb = length<D>(db);
+      const double ea = acts(i, La, a.z) ? La - s.L0 : 0.0, eb = acts(i, Lb, b.z) ? Lb - s.L0 : 0.0;
+      const double slope = std::abs(La - Lb) > 1e-12 * (La + Lb) ? (ea * ea - eb * eb) / (La - Lb) : ea + eb;
+      if (La + Lb > 0.0) F = -0.5 * s.k * slope * ((da + db) / (La + Lb));
+    } else if (D == 1 && kind_ == SpringKind::Crossing && *internal(i, a.z) != 0.0) {
+      F[0] = -s.k * (0.5 * (da[0] + db[0]) - *internal(i, a.z) * s.L0);
+    } else {
+      const double L = length<D>(da) + length<D>(db);
+      if (L > 0.0) F = -s.k * ((L - 2.0 * s.L0) / L) * (0.5 * (da + db));
+    }
+    Eigen::Map<Vector>(f + D * s.a) += F;
+    Eigen::Map<Vector>(f + D * s.b) -= F;
+  }
+}
+
+template <int D>
+void Spring<D>::couple(MatrixPattern& pattern) const {
+  for (const SpringElement& s : springs_) pattern.couple(std::array{s.a, s.b});
+}
+
+template <int D>
+void Spring<D>::bind(const MatrixPattern& pattern) {
+  slots_.resize(springs_.size());
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    const int a = springs_[i].a, b = springs_[i].b;
+    slots_[i] = {pattern.slot(a, a), pattern.slot(b, b), pattern.slot(a, b), pattern.slot(b, a)};
+  }
+}
+
+template <int D>
+auto Spring<D>::stiffness(std::size_t i, const Vector& d, const double* z, Form form) const -> Block {
+  const SpringElement& s = springs_[i];
+  const double L = length<D>(d);
+  if (L == 0.0 || L < shortest * s.L0) return s.k * Block::Identity();
+  const double l = sign(i, d, z) * L;
+  const double c = form == Form::Projected ? std::max(0.0, (l - s.L0) / l) : (l - s.L0) / l;
+  const Vector n = d / L;
+  return s.k * (c * (Block::Identity() - n * n.transpose()) + n * n.transpose());
+}
+
+template <int D>
+void Spring<D>::addDerivatives(const Configuration& at, double cD, double cK, Form form, double* values) const {
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    const SpringElement& s = springs_[i];
+    const Vector d = difference(s, at.x);
+    const double L = length<D>(d);
+    if (!acts(i, L, at.z)) continue;
+    Block B = Block::Zero();
+    if (cK != 0.0) B = cK * stiffness(i, d, at.z, form);
+    if (s.dRelative > 0.0) B += cD * s.dRelative * Block::Identity();
+    if (s.dProjected > 0.0 && L > 0.0) {
+      const Vector n = d / L;
+      B += cD * s.dProjected * n * n.transpose();
+      if (form == Form::Exact && cK != 0.0) {
+        const Vector w = difference(s, at.v);
+        const Block P = Block::Identity() - n * n.transpose();
+        B += (cK * s.dProjected / L) * (n * (P * w).transpose() + w.dot(n) * P);
+      }
+    }
+    addBlock<D>(values, slots_[i][0], 1.0, B);
+    addBlock<D>(values, slots_[i][1], 1.0, B);
+    addBlock<D>(values, slots_[i][2], -1.0, B);
+    addBlock<D>(values, slots_[i][3], -1.0, B);
+  }
+}
+
+template <int D>
+bool Spring<D>::evaluateConstraint(int j, const Configuration& at, int freeSize, Constraint& out) const {
+  const auto i = static_cast<std::size_t>(j);
+  const SpringElement& s = springs_[i];
+  const Vector d = difference(s, at.x);
+  const double L = length<D>(d);
+  if (s.k == 0.0 || L == 0.0 || !acts(i, L, at.z)) return false;
+  const Vector n = d / (sign(i, d, at.z) * L);
+  out.kind = Constraint::Kind::Distance;
+  out.count = 0;
+  out.value = sign(i, d, at.z) * L - s.L0;
+  out.compliance = 1.0 / s.k;
+  out.damping = s.dProjected;
+  for (const auto& [node, side] : {std::pair(s.a, 1.0), std::pair(s.b, -1.0)}) {
+    if (D * node >= freeSize) continue;
+    for (int c = 0; c < D; ++c) {
+      out.unknown[static_cast<std::size_t>(out.count)] = D * node + c;
+      out.gradient[static_cast<std::size_t>(out.count)] = side * n[c];
+      ++out.count;
+    }
+  }
+  return true;
+}
+
+template <int D>
+void Spring<D>::addExternalForce(const Configuration& at, double* f) const {
+  if (!damped_) return;
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    const SpringElement& s = springs_[i];
+    const Vector d = difference(s, at.x);
+    const bool constrained = s.k > 0.0 && length<D>(d) > 0.0;
+    if (!acts(i, length<D>(d), at.z)) continue;
+    const Vector w = difference(s, at.v);
+    // The projected part belongs to the constraint wherever there is one.
+    const Vector F = constrained ? Vector(-s.dRelative * w) : dampingForce(s, d, w);
+    Eigen::Map<Vector>(f + D * s.a) += F;
+    Eigen::Map<Vector>(f + D * s.b) -= F;
+  }
+}
+
+template <int D>
+int Spring<D>::internalSize() const {
+  if (kind_ == SpringKind::Plain) return 0;
+  return static_cast<int>(springs_.size()) * (kind_ == SpringKind::Crossing ? D : 1);
+}
+
+template <int D>
+int Spring<D>::guardCount() const {
+  return kind_ == SpringKind::Plain ? 0 : static_cast<int>(springs_.size());
+}
+
+template <int D>
+void Spring<D>::guards(const Configuration& at, double* g) const {
+  if (kind_ == SpringKind::Plain) return;
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    const Vector d = difference(springs_[i], at.x);
+    if (kind_ == SpringKind::Unilateral) {
+      g[i] = length<D>(d) - springs_[i].L0;
+    } else {
+      const Eigen::Map<const Vector> n(internal(i, at.z));
+      g[i] = n.isZero(0.0) ? 1.0 : n.dot(d);
+    }
+  }
+}
+
+template <int D>
+std::string Spring<D>::guardName(int i) const {
+  const int user = springs_[static_cast<std::size_t>(i)].userIndex;
+  if (kind_ == SpringKind::Unilateral) return fmt::format("spring {} reaches its rest length", user);
+  return fmt::format("spring {} passes through zero length", user);
+}
+
+template <int D>
+bool Spring<D>::commit(const Configuration& at, bool frozen, double* z) const {
+  bool changed = false;
+  if (kind_ == SpringKind::Plain) return changed;
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    const Vector d = difference(springs_[i], at.x), w = difference(springs_[i], at.v);
+    const double L = length<D>(d);
+    double* own = internal(i, z);
+    if (kind_ == SpringKind::Unilateral) {
+      const double gap = L - springs_[i].L0, rate = w.dot(d);
+      const double old = *own;
+      if (!frozen) {
+        *own = mode::live;
+      } else if (old == mode::live) {
+        *own = gap < 0.0 || (gap == 0.0 && rate <= 0.0) ? mode::closed : mode::open;
+      } else if ((old == mode::closed && gap > 0.0 && rate > 0.0) || (old == mode::open && gap < 0.0 && rate < 0.0)) {
+        // On the wrong side and going further: not an event that was just located, but one that was missed.
+        *own = old == mode::closed ? mode::open : mode::closed;
+      }
+      changed = changed || (frozen && old != mode::live && *own != old);
+    } else {
+      Eigen::Map<Vector> n(own);
+      if (!frozen) {
+        n.setZero();
+      } else if (L > 0.0) {
+        const bool radial = std::abs(n.dot(d)) > 0.5 * L;
+        const bool arriving = radial && n.dot(d) < 0.0 && n.dot(w) > 0.0;
+        changed = changed || (radial && n.dot(d) < 0.0 && !arriving);
+        if (!arriving) n = d / L;
+      } else if (n.isZero(0.0) && !w.isZero(0.0)) {
+        n = w / length<D>(w);
+      }
+    }
+  }
+  return changed;
+}
+
+template <int D>
+void Spring<D>::cross(int guard, const Configuration& at, double* z) const {
+  const auto i = static_cast<std::size_t>(guard);
+  const Vector d = difference(springs_[i], at.x), w = difference(springs_[i], at.v);
+  double* own = internal(i, z);
+  if (kind_ == SpringKind::Unilateral) {
+    const double rate = w.dot(d);
+    *own = rate < 0.0 ? mode::closed : rate > 0.0 ? mode::open : *own == mode::closed ? mode::open : mode::closed;
+  } else {
+    Eigen::Map<Vector> n(own);
+    const double L = length<D>(d);
+    if (L > 0.0 && std::abs(n.dot(d)) <= 0.5 * L) {
+      n = d / L;  // passed beside the other end, not through it: nothing jumps
+    } else if (n.dot(w) < 0.0) {
+      n = -n;
+    }
+  }
+}
+
+template class Spring<1>;
+template class Spring<2>;
+template class Spring<3>;
+
+}  // namespace muelle::engine

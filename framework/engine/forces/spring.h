@@ -1,0 +1,96 @@
+#pragma once
+#include "engine/forces/force_batch.h"
+
+#include <array>
+
+namespace muelle::engine {
+
+/// A spring between the nodes a and b of the built numbering.
+struct SpringElement {
+  int a = 0, b = 1;
+  double k = 0.0;           ///< [N/m]
+  double L0 = 0.0;          ///< [m]
+  double dRelative = 0.0;   ///< [kg/s]
+  double dProjected = 0.0;  ///< [kg/s]
+  int userIndex = 0;        ///< for messages
+};
+
+/// How springs act beyond their smooth range.
+enum class SpringKind {
+  Plain,       ///< as the positions say, always
+  Crossing,    ///< may be followed through zero length; D internal variables each
+  Unilateral,  ///< acts only when shorter than L0; one internal variable each
+};
+
+/// Springs: E = k (L - L0)^2 / 2, F_a = -k (L - L0) n - dRelative (va - vb) - dProjected ((va - vb) . n) n with
+/// d = xa - xb, L = |d|, n = d / L (slides "Ley de Hooke", "Energia Elastica", "Amortiguamiento").
+///
+/// Hessian: K_aa = K_bb = -K_ab = k (c I + (1 - c) n n^T), c = (L - L0) / L. Form::Projected replaces c by max(0, c),
+/// which is the nearest positive semidefinite matrix. The force of projected damping depends on the positions too:
+/// -dF_a/dd = (dProjected / L) (n (P w)^T + (w . n) P), P = I - n n^T, w = va - vb, in Form::Exact alone.
+///
+/// Zero length: the direction is undefined, so the elastic and the projected damping force are 0; the energy is
+/// k L0^2 / 2; the Hessian is taken as k I (exact for L0 = 0), and so too where L < 1e-100 L0. In 1D n n^T = 1
+/// everywhere, and the two dampings are the same force, at zero length too.
+///
+/// Through zero length, frozen: z holds the direction n0 at the last commit, and the length has the sign of d . n0:
+/// F_a = -k (1 - L0 / (sign L)) d, the smooth continuation. Without internal direction (live), the sign is +.
+///
+/// Unilateral: nothing of the spring acts (damping neither) when L > L0; live by the length, frozen by the mode in z.
+template <int D>
+class Spring final : public ForceBatch {
+ public:
+  Spring(std::vector<SpringElement> springs, SpringKind kind);
+
+  bool isConservative() const override { return !damped_; }
+  bool usesVelocity() const override { return damped_; }
+  void addForce(const Configuration& at, double* f) const override;
+  double energy(const Configuration& at) const override;
+  void addConservativeForce(const Configuration& at, double* f) const override;
+  /// The exact quotient: F_a = -k (1 - 2 L0 / (La + Lb)) (da + db) / 2 (signed lengths in 1D when frozen). A
+  /// unilateral spring counts the part of its length below L0.
+  void addDiscreteGradientForce(const Configuration& a, const Configuration& b, double* f) const override;
+
+  void couple(MatrixPattern& pattern) const override;
+  void bind(const MatrixPattern& pattern) override;
+  void addDerivatives(const Configuration& at, double cD, double cK, Form form, double* values) const override;
+  bool hasNonSymmetricStiffness() const override { return projected_; }
+
+  int constraintCount() const override { return static_cast<int>(springs_.size()); }
+  bool evaluateConstraint(int j, const Configuration& at, int freeSize, Constraint& out) const override;
+  /// Relative damping acts across the spring too, which no constraint expresses.
+  void addExternalForce(const Configuration& at, double* f) const override;
+
+  int internalSize() const override;
+  int guardCount() const override;
+  void guards(const Configuration& at, double* g) const override;
+  std::string guardName(int i) const override;
+  bool commit(const Configuration& at, bool frozen, double* z) const override;
+  void cross(int guard, const Configuration& at, double* z) const override;
+
+ private:
+  using Vector = Eigen::Matrix<double, D, 1>;
+  using Block = Eigen::Matrix<double, D, D>;
+
+  static Vector difference(const SpringElement& s, const double* values);
+  const double* internal(std::size_t i, const double* z) const;
+  double* internal(std::size_t i, double* z) const;
+  double sign(std::size_t i, const Vector& d, const double* z) const;
+  bool acts(std::size_t i, double L, const double* z) const;
+  double signedLength(std::size_t i, const Vector& d, const double* z) const;
+  Vector elasticForce(std::size_t i, const Vector& d, const double* z) const;
+  Vector dampingForce(const SpringElement& s, const Vector& d, const Vector& w) const;
+  Block stiffness(std::size_t i, const Vector& d, const double* z, Form form) const;
+
+  std::vector<SpringElement> springs_;
+  std::vector<std::array<BlockSlot, 4>> slots_;  ///< aa, bb, ab, ba
+  SpringKind kind_;
+  bool damped_ = false;
+  bool projected_ = false;  ///< damped along the direction, which turns: not in 1D
+};
+
+extern template class Spring<1>;
+extern template class Spring<2>;
+extern template class Spring<3>;
+
+}  // namespace muelle::engine

@@ -1,0 +1,139 @@
+#include "engine/forces/gravity.h"
+#include "engine/forces/spring.h"
+#include "engine/model/mass_spring_system.h"
+#include "engine/model/numbering.h"
+#include "engine/model/validate.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace muelle::engine {
+
+namespace {
+
+bool isFree(const ModelNode& node) { return !node.pinned && node.motion < 0; }
+
+std::vector<int> axesOf(const Model& model) {
+  if (model.dimension == 1) return {0};
+  if (model.dimension == 2) return {model.plane[0], model.plane[1]};
+  return {0, 1, 2};
+}
+
+/// Pairs of free nodes that share an element, in the user's numbers.
+std::vector<std::pair<int, int>> couplings(const Model& model) {
+  std::vector<std::pair<int, int>> edges;
+  const auto join = [&](std::initializer_list<int> nodes) {
+    for (auto a = nodes.begin(); a != nodes.end(); ++a) {
+      for (auto b = nodes.begin(); b != a; ++b) {
+        if (isFree(model.nodes[static_cast<std::size_t>(*a)]) && isFree(model.nodes[static_cast<std::size_t>(*b)])) {
+          edges.emplace_back(*a, *b);
+        }
+      }
+    }
+  };
+  for (const ModelSpring& s : model.springs) join({s.a, s.b});
+  for (const ModelAngle& e : model.angles) join({e.a, e.b, e.c});
+  for (const ModelDihedral& e : model.dihedrals) join({e.a, e.b, e.c, e.d});
+  for (const ModelArea& e : model.areas) join({e.a, e.b, e.c});
+  for (const ModelVolume& e : model.volumes) join({e.a, e.b, e.c, e.d});
+  return edges;
+}
+
+Numbering number(const Model& model) {
+  const int count = static_cast<int>(model.nodes.size());
+  std::vector<int> order(model.nodes.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (model.renumber) order = reverseCuthillMcKee(count, couplings(model));
+  std::stable_partition(order.begin(), order.end(),
+                        [&](int i) { return isFree(model.nodes[static_cast<std::size_t>(i)]); });
+  Numbering numbering;
+  numbering.axes = axesOf(model);
+  numbering.user = order;
+  numbering.built.resize(order.size());
+  for (int i = 0; i < count; ++i) numbering.built[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])] = i;
+  numbering.freeNodes =
+      static_cast<int>(std::count_if(model.nodes.begin(), model.nodes.end(), [](const auto& n) { return isFree(n); }));
+  return numbering;
+}
+
+/// What the makers of batches share.
+struct Builder {
+  const Model& model;
+  const Numbering& numbering;
+  std::vector<std::unique_ptr<ForceBatch>> batches = {};
+
+  int built(int user) const { return numbering.built[static_cast<std::size_t>(user)]; }
+  const ModelNode& node(int built) const {
+    return model.nodes[static_cast<std::size_t>(numbering.user[static_cast<std::size_t>(built)])];
+  }
+  /// Elements none of whose nodes is free move nothing and are left out.
+  bool anyFree(std::initializer_list<int> user) const {
+    return std::any_of(user.begin(), user.end(), [&](int i) { return built(i) < numbering.freeNodes; });
+  }
+};
+
+void addGravity(Builder& builder) {
+  if (builder.model.gravity.isZero(0.0)) return;
+  std::vector<double> weight;
+  for (int i = 0; i < builder.numbering.freeNodes; ++i) {
+    for (const int axis : builder.numbering.axes) weight.push_back(builder.node(i).m * builder.model.gravity[axis]);
+  }
+  builder.batches.push_back(std::make_unique<Gravity>(std::move(weight)));
+}
+
+template <int D>
+void addSprings(Builder& builder) {
+  std::vector<SpringElement> plain, crossing, unilateral;
+  for (std::size_t i = 0; i < builder.model.springs.size(); ++i) {
+    const ModelSpring& s = builder.model.springs[i];
+    if (!builder.anyFree({s.a, s.b})) continue;
+    // Without a rest length nothing happens at zero length.
+    auto& kind = s.unilateral ? unilateral : s.L0 > 0.0 && (D == 1 || builder.model.springsCross) ? crossing : plain;
+    kind.push_back({builder.built(s.a), builder.built(s.b), s.k, s.L0, s.dRelative, s.dProjected, static_cast<int>(i)});
+  }
+  for (const auto& [springs, kind] : {std::pair(&plain, SpringKind::Plain), std::pair(&crossing, SpringKind::Crossing),
+                                      std::pair(&unilateral, SpringKind::Unilateral)}) {
+    if (springs->empty()) continue;
+    // In the order of memory; no two springs share both ends, so the order is the same on every machine.
+    std::sort(springs->begin(), springs->end(), [](const SpringElement& p, const SpringElement& q) {
+      return std::pair(std::min(p.a, p.b), std::max(p.a, p.b)) < std::pair(std::min(q.a, q.b), std::max(q.a, q.b));
+    });
+    builder.batches.push_back(std::make_unique<Spring<D>>(std::move(*springs), kind));
+  }
+}
+
+std::unique_ptr<NodeDrag> makeDrag(const Builder& builder) {
+  std::vector<double> coefficients;
+  for (int i = 0; i < builder.numbering.freeNodes; ++i) {
+    coefficients.insert(coefficients.end(), builder.numbering.axes.size(), builder.node(i).drag);
+  }
+  if (std::all_of(coefficients.begin(), coefficients.end(), [](double d) { return d == 0.0; })) return nullptr;
+  return std::make_unique<NodeDrag>(std::move(coefficients), static_cast<int>(builder.numbering.axes.size()));
+}
+
+template <int D>
+std::unique_ptr<ModelSystem> buildIn(const Model& model) {
+  Numbering numbering = number(model);
+  Builder builder{model, numbering};
+  addGravity(builder);
+  addSprings<D>(builder);
+  std::unique_ptr<NodeDrag> drag = makeDrag(builder);
+  auto batches = std::move(builder.batches);
+  return std::make_unique<MassSpringSystem>(model, std::move(numbering), std::move(batches), std::move(drag));
+}
+
+}  // namespace
+
+std::unique_ptr<ModelSystem> build(const Model& model) {
+  validate(model);
+  switch (model.dimension) {
+    case 1:
+      return buildIn<1>(model);
+    case 2:
+      return buildIn<2>(model);
+    default:
+      return buildIn<3>(model);
+  }
+}
+
+}  // namespace muelle::engine

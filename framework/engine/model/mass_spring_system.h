@@ -1,0 +1,111 @@
+#pragma once
+#include "engine/forces/force_batch.h"
+#include "engine/forces/node_drag.h"
+#include "engine/model/model_system.h"
+
+#include <memory>
+#include <optional>
+
+namespace muelle::engine {
+
+/// Which node is where: the built numbering has the free nodes first, then the fixed ones (pinned and moved).
+struct Numbering {
+  std::vector<int> built;  ///< built number of each of the user's nodes
+  std::vector<int> user;   ///< the user's number of each built one
+  int freeNodes = 0;
+  std::vector<int> axes;  ///< the components of a Vec3 that the scene has, in order
+};
+
+/// The one system that build() makes: batches of forces over arrays of all nodes. The dimension is a number here, and
+/// a template parameter in the batches alone.
+class MassSpringSystem final : public ModelSystem,
+                               private Potential,
+                               private Drag,
+                               private Linearisation,
+                               private Constraints,
+                               private Switching {
+ public:
+  /// \param drag null when no node has any; not among `batches`
+  MassSpringSystem(Model model, Numbering numbering, std::vector<std::unique_ptr<ForceBatch>> batches,
+                   std::unique_ptr<NodeDrag> drag);
+
+  int size() const override { return size_; }
+  std::span<const double> mass() const override { return mass_; }
+  void force(double t, In x, In v, In z, Out f) const override;
+  int internalSize() const override { return internalSize_; }
+  bool forceUsesVelocity() const override;
+  const Potential* potential() const override { return this; }
+  const Drag* drag() const override { return drag_ ? this : nullptr; }
+  const Linearisation* linearisation() const override { return this; }
+  const Constraints* constraints() const override { return this; }
+  const Switching* switching() const override { return switches_ ? this : nullptr; }
+  std::string unknownName(int i) const override;
+  int dimension() const override { return dimension_; }
+
+  State initialState() const override;
+  int nodeCount() const override { return static_cast<int>(model_.nodes.size()); }
+  Vec3 position(const State& state, int node) const override;
+  Vec3 velocity(const State& state, int node) const override;
+  int unknown(int node, int axis) const override;
+  const Model& model() const override { return model_; }
+  double kineticEnergy(const State& state) const override;
+  double totalEnergy(const State& state) const override;
+  Vec3 momentum(const State& state) const override;
+  Vec3 angularMomentum(const State& state) const override;
+
+ private:
+  // Potential
+  bool isComplete() const override;
+  double energy(double t, In x, In z) const override;
+  void conservativeForce(double t, In x, In z, Out f) const override;
+  void discreteGradientForce(double t, In xa, In xb, In z, Out f) const override;
+  // Drag
+  std::span<const double> coefficients() const override { return drag_->coefficients(); }
+  void forceWithoutDrag(double t, In x, In v, In z, Out f) const override;
+  // Linearisation
+  void assemble(double cM, double cD, double cK, double t, In x, In v, In z, Form form, SystemMatrix& J) const override;
+  // Constraints
+  int count() const override { return static_cast<int>(constraintStart_.back()); }
+  bool evaluate(int j, double t, In x, In z, Constraint& out) const override;
+  void externalForce(double t, In x, In v, In z, Out f) const override;
+  std::string leftOut() const override;
+  // Switching
+  int guardCount() const override { return guardCount_; }
+  void guards(double t, In x, In v, In z, Out g) const override;
+  std::string guardName(int i) const override;
+  void declaredTimes(double from, double to, std::vector<double>& times) const override;
+  bool commit(State& state, bool frozen) const override;
+  void cross(int guard, State& state) const override;
+  double sweptBound(double t, In x, In v, In z, double h) const override;
+
+  /// Arrays over all nodes: the caller's own when every node is free.
+  struct Arrays {
+    std::vector<double> x, v, f;
+  };
+  Configuration gather(double t, In x, In v, In z, Arrays& arrays) const;
+  void setFixed(double t, Arrays& arrays) const;
+  double* start(Out f) const;
+  void finish(Out f) const;
+  void bind() const;
+  Vec3 component(const State& state, int node, bool velocity) const;
+
+  Model model_;
+  Numbering numbering_;
+  int dimension_;
+  int size_;
+  int internalSize_ = 0;
+  int guardCount_ = 0;
+  bool switches_ = false;
+  bool hasFixed_;
+  std::vector<double> mass_;
+  std::vector<double> zeroVelocity_;
+  std::vector<int> moved_;  ///< built numbers of nodes with a motion
+  std::vector<std::unique_ptr<ForceBatch>> batches_;
+  std::unique_ptr<NodeDrag> drag_;
+  std::vector<int> constraintStart_;
+  mutable Arrays first_, second_;
+  mutable std::vector<double> acceleration_;
+  mutable std::optional<MatrixPattern> pattern_;  ///< laid out when first asked for: explicit methods never do
+};
+
+}  // namespace muelle::engine
