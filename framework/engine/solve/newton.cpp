@@ -15,6 +15,8 @@ using Vector = Eigen::VectorXd;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 /// Below this relative residual the energy's differences are near round-off, and the residual decides.
 constexpr double nearSolution = 1e-5;
+/// Motion that dies out ends below the normal range of doubles, where no digit is left to compare [N s].
+constexpr double vanished = 1e-290;
 
 In in(const Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 Out out(Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
@@ -62,7 +64,7 @@ double Newton::relativeResidual(const Point& point, double floorFactor, int& wor
   for (Eigen::Index i = 0; i < point.R.size(); ++i) {
     const double terms = std::abs(mass_[i] * point.w[i]) + stage_->tau * std::abs(point.F[i]) +
                          (stage_->g.size() > 0 ? std::abs(stage_->g[i]) : 0.0);
-    const double excess = std::abs(point.R[i]) - floorFactor * (floor_[i] + eps * terms);
+    const double excess = std::abs(point.R[i]) - floorFactor * (floor_[i] + eps * terms + vanished);
     if (excess <= 0.0) continue;
     const double relative = terms > 0.0 ? excess / terms : 1.0;
     if (relative > largest) {

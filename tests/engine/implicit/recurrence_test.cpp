@@ -1,70 +1,47 @@
 #include "engine/integrators/implicit/methods.h"
+#include "run.h"
 #include "support/linear_system.h"
 
-#include <gtest/gtest.h>
 #include <cmath>
 #include <Eigen/Dense>
-#include <memory>
 
 namespace muelle::engine {
 namespace {
 
 using testing::LinearSystem;
+using testing::run;
+using testing::start;
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
+const Vector mass{{1.0, 0.5, 2.0}};
+const Matrix K{{300.0, -100.0, 0.0}, {-100.0, 150.0, -50.0}, {0.0, -50.0, 50.0}};
+const Matrix D{{0.9, -0.3, 0.0}, {-0.3, 0.5, -0.1}, {0.0, -0.1, 0.2}};
+const Vector y0{{0.1, -0.2, 0.3, 1.0, 0.0, -2.0}};
+
 /// A small chain with unequal masses, node damping and spring damping.
-LinearSystem chain() {
-  const Vector mass{{1.0, 0.5, 2.0}};
-  const Matrix K{{300.0, -100.0, 0.0}, {-100.0, 150.0, -50.0}, {0.0, -50.0, 50.0}};
-  const Matrix D{{0.9, -0.3, 0.0}, {-0.3, 0.5, -0.1}, {0.0, -0.1, 0.2}};
-  return {mass, K, D};
-}
+LinearSystem chain() { return {mass, K, D}; }
+State chainStart() { return start({0.1, -0.2, 0.3}, {1.0, 0.0, -2.0}); }
 
-State start(const std::vector<double>& x, const std::vector<double>& v) {
-  State state;
-  state.x = x;
-  state.v = v;
-  return state;
-}
-
-State run(const System& system, Method& method, State state, double h, int steps) {
-  method.prepare(system, {});
-  State next = state;
-  for (int i = 0; i < steps; ++i) {
-    const StepResult result = method.step(system, state, h, next);
-    EXPECT_TRUE(result.done) << result.failure;
-    method.accept();
-    std::swap(state, next);
-  }
-  return state;
-}
-
-/// y' = A y of the chain, y = (x, v).
-Matrix firstOrder() {
-  const Vector mass{{1.0, 0.5, 2.0}};
-  const Matrix K{{300.0, -100.0, 0.0}, {-100.0, 150.0, -50.0}, {0.0, -50.0, 50.0}};
-  const Matrix D{{0.9, -0.3, 0.0}, {-0.3, 0.5, -0.1}, {0.0, -0.1, 0.2}};
+/// h A of the chain written as y' = A y, y = (x, v).
+Matrix firstOrder(double h) {
   Matrix A = Matrix::Zero(6, 6);
   A.topRightCorner(3, 3).setIdentity();
   A.bottomLeftCorner(3, 3) = -(mass.cwiseInverse().asDiagonal() * K);
   A.bottomRightCorner(3, 3) = -(mass.cwiseInverse().asDiagonal() * D);
-  return A;
+  return h * A;
 }
 
 Vector packed(const State& s) {
-  Vector y(s.x.size() + s.v.size());
-  for (std::size_t i = 0; i < s.x.size(); ++i) {
-    y[static_cast<Eigen::Index>(i)] = s.x[i];
-    y[static_cast<Eigen::Index>(s.x.size() + i)] = s.v[i];
+  Vector y(6);
+  for (int i = 0; i < 3; ++i) {
+    y[i] = s.x[static_cast<std::size_t>(i)];
+    y[3 + i] = s.v[static_cast<std::size_t>(i)];
   }
   return y;
 }
 
-const Vector y0{{0.1, -0.2, 0.3, 1.0, 0.0, -2.0}};
-State chainStart() { return start({0.1, -0.2, 0.3}, {1.0, 0.0, -2.0}); }
-
-/// y_n of a one-step method with stability function N(hA)^-1 P(hA).
+/// y after `steps` of a one-step method with stability function denominator^-1 numerator.
 Vector recurrence(const Matrix& denominator, const Matrix& numerator, int steps) {
   const Eigen::FullPivLU<Matrix> lu(denominator);
   Vector y = y0;
@@ -72,18 +49,117 @@ Vector recurrence(const Matrix& denominator, const Matrix& numerator, int steps)
   return y;
 }
 
+const Matrix I = Matrix::Identity(6, 6);
+
 TEST(Recurrence, BackwardEulerIsItsStabilityFunction) {
-  const Matrix I = Matrix::Identity(6, 6), hA = 0.05 * firstOrder();
   const LinearSystem system = chain();
   const Vector y = packed(run(system, *backwardEuler(), chainStart(), 0.05, 10));
-  EXPECT_LT((y - recurrence(I - hA, I, 10)).norm(), 1e-14);
+  EXPECT_LT((y - recurrence(I - firstOrder(0.05), I, 10)).norm(), 1e-14);
 }
 
-TEST(Recurrence, ImplicitMidpointIsItsStabilityFunction) {
-  const Matrix I = Matrix::Identity(6, 6), hA = 0.05 * firstOrder();
+TEST(Recurrence, LinearisedBackwardEulerIsBackwardEulerOnALinearSystem) {
   const LinearSystem system = chain();
-  const Vector y = packed(run(system, *implicitMidpoint(), chainStart(), 0.05, 50));
-  EXPECT_LT((y - recurrence(I - 0.5 * hA, I + 0.5 * hA, 50)).norm(), 2e-13);
+  const Vector y = packed(run(system, *linearisedBackwardEuler(), chainStart(), 0.05, 10));
+  EXPECT_LT((y - recurrence(I - firstOrder(0.05), I, 10)).norm(), 1e-14);
+}
+
+TEST(Recurrence, ImplicitMidpointAndNewmarkAreTheTrapezoidalStabilityFunction) {
+  const LinearSystem system = chain();
+  const Matrix hA = firstOrder(0.05);
+  const Vector expected = recurrence(I - 0.5 * hA, I + 0.5 * hA, 50);
+  for (const auto make : {implicitMidpoint, newmark, discreteGradient}) {
+    const auto method = make();
+    EXPECT_LT((packed(run(system, *method, chainStart(), 0.05, 50)) - expected).norm(), 2e-13) << method->info().id;
+  }
+}
+
+/// SDIRK2 of Alexander, then BDF2 with the coefficients of the step ratio.
+TEST(Recurrence, Bdf2FollowsItsFormulaWithChangingSteps) {
+  const LinearSystem system = chain();
+  const auto method = bdf2();
+  method->prepare(system, {});
+  State state = chainStart(), next = state;
+  Vector before = y0, now = y0;
+  double last = 0.0;
+  for (const double h : {0.05, 0.05, 0.08, 0.02, 0.03}) {
+    ASSERT_TRUE(method->step(system, state, h, next).done);
+    method->accept();
+    std::swap(state, next);
+    const Matrix hA = firstOrder(h);
+    Vector y;
+    if (last == 0.0) {
+      const double gamma = 1.0 - std::sqrt(0.5);
+      const Eigen::FullPivLU<Matrix> lu(I - gamma * hA);
+      const Vector slope = hA * lu.solve(now);
+      y = lu.solve(now + (1.0 - gamma) * slope);
+    } else {
+      const double r = h / last;
+      const Vector known = now * ((1.0 + r) * (1.0 + r) / (1.0 + 2.0 * r)) - before * (r * r / (1.0 + 2.0 * r));
+      y = Eigen::FullPivLU<Matrix>(I - (1.0 + r) / (1.0 + 2.0 * r) * hA).solve(known);
+    }
+    before = now;
+    now = y;
+    last = h;
+    EXPECT_LT((packed(state) - y).norm(), 1e-14) << "h = " << h;
+  }
+}
+
+/// A step that is taken again with a smaller h must not leave the rejected one in the memory.
+TEST(Recurrence, ARejectedStepLeavesNoTrace) {
+  const LinearSystem system = chain();
+  for (const auto make : {bdf2, newmark}) {
+    const auto straight = make(), disturbed = make();
+    straight->prepare(system, {});
+    disturbed->prepare(system, {});
+    State a = chainStart(), b = a, next = a;
+    for (int i = 0; i < 4; ++i) {
+      ASSERT_TRUE(straight->step(system, a, 0.03, next).done);
+      straight->accept();
+      std::swap(a, next);
+      ASSERT_TRUE(disturbed->step(system, b, 0.06, next).done);
+      ASSERT_TRUE(disturbed->step(system, b, 0.03, next).done);
+      disturbed->accept();
+      std::swap(b, next);
+    }
+    EXPECT_EQ(a.x, b.x) << straight->info().id;
+    EXPECT_EQ(a.v, b.v) << straight->info().id;
+  }
+}
+
+/// h omega = 1e4 and h d / m = 1e6: no method of this family may grow; the L-stable ones let the fast modes die.
+TEST(Stability, HoldsForEveryStep) {
+  const LinearSystem stiff(Vector::Ones(2), Matrix{{1e8, 0.0}, {0.0, 1.0}}, Matrix{{1e4, 0.0}, {0.0, 1e6}});
+  for (const auto make : {backwardEuler, linearisedBackwardEuler, bdf2, newmark, implicitMidpoint, discreteGradient}) {
+    const auto method = make();
+    const State end = run(stiff, *method, start({1.0, 1.0}, {1.0, 1.0}), 1.0, 100);
+    EXPECT_LE(std::abs(end.x[0]), 1.001) << method->info().id;
+    EXPECT_LE(std::abs(end.x[1]), 1.6) << method->info().id;
+    if (method->info().stability == Stability::LStable) {
+      EXPECT_LT(std::abs(end.x[0]), 1e-12) << method->info().id;
+      EXPECT_LT(std::abs(end.v[1]), 1e-5) << method->info().id;
+    }
+  }
+}
+
+/// Reference case H23: node drag d = 1e4 on m = 1, k = 1 (closed form of the two exponentials).
+TEST(Stability, StiffDragIsExactForLStableMethods) {
+  const LinearSystem drag(1.0, 1e4);
+  const double exact = 9.99900024996834137392e-5;
+  for (const auto make : {backwardEuler, bdf2}) {
+    const auto method = make();
+    const State end = run(drag, *method, start({0.0}, {1.0}), 1.0 / 60.0, 60);
+    EXPECT_NEAR(end.x[0], exact, 1e-9 * exact) << method->info().id;
+  }
+}
+
+/// Implicit midpoint on the oscillator of H01: solved for the increment, the energy has no drift. 1e5 steps of unbiased
+/// round-off are 1e-16 sqrt(1e5) = 4e-14.
+TEST(Energy, OfImplicitMidpointHasNoBiasedRoundOff) {
+  const LinearSystem oscillator(1.0, 0.0);
+  const State end = run(oscillator, *implicitMidpoint(), start({1.0}, {0.0}), 0.1, 100000);
+  EXPECT_NEAR(0.5 * (end.x[0] * end.x[0] + end.v[0] * end.v[0]), 0.5, 1e-13);
+  const double angle = 1e5 * 2.0 * std::atan(0.05);
+  EXPECT_NEAR(end.x[0], std::cos(angle), 1e-10);
 }
 
 }  // namespace

@@ -24,8 +24,7 @@ class Bdf2 final : public ImplicitMethod {
   Bdf2() : ImplicitMethod(facts()) {}
 
   StepResult step(const System& system, const State& from, double h, State& to) override {
-    const bool continues =
-        known_ && from.t == end_.t && from.x == end_.x && from.v == end_.v && h <= 2.0 * lastStep_;
+    const bool continues = known_ && from.t == end_.t && from.x == end_.x && from.v == end_.v && h <= 2.0 * lastStep_;
     StepResult result = continues ? multistep(system, from, h, to) : firstStep(system, from, h, to);
     if (!result.done) return result;
     result = finish(from, h, to);

@@ -14,7 +14,8 @@ MethodInfo facts() {
   info.source = "Baraff, Witkin: Large Steps in Cloth Simulation, SIGGRAPH 1998, eq. 16";
   info.remark =
       "One Newton step from x0: the equation of backward Euler is not solved, its residual of size h^2 |K'| |h v|^2 "
-      "stays as an error; it shows when a step turns or stretches springs by much. Stable on linear systems only. Where "
+      "stays as an error; it shows when a step turns or stretches springs by much. Stable on linear systems only. "
+      "Where "
       "the matrix is indefinite (compressed springs) the projected one is used. R(z) = 1 / (1 - z).";
   return info;
 }

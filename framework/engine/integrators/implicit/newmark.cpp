@@ -9,7 +9,8 @@ MethodInfo facts() {
   MethodInfo info = implicitInfo("newmark", "Newmark, average acceleration", 2, Stability::AStable);
   info.reversible = true;
   info.formula = "x1 = x0 + h v0 + h^2 (a0 + a1) / 4,  v1 = v0 + h (a0 + a1) / 2   (beta = 1/4, gamma = 1/2)";
-  info.source = "Newmark: A Method of Computation for Structural Dynamics, 1959; Hughes: The Finite Element Method, 9.1";
+  info.source =
+      "Newmark: A Method of Computation for Structural Dynamics, 1959; Hughes: The Finite Element Method, 9.1";
   info.remark =
       "The trapezoidal rule: keeps a linear system's energy, does not damp fast modes (|R| -> 1), and can gain energy "
       "on stiff non-linear scenes. R(z) = (1 + z/2) / (1 - z/2).";
@@ -27,8 +28,9 @@ class Newmark final : public ImplicitMethod {
       force_.resize(static_cast<Eigen::Index>(from.x.size()));
       system.force(from.t, from.x, from.v, from.z, {force_.data(), from.x.size()});
       ++work_.forceEvaluations;
+      end_ = from;
+      known_ = true;
     }
-    known_ = false;
     stage_.t = from.t + h;
     stage_.tau = 0.5 * h;
     stage_.alpha = 0.5 * h;
@@ -53,7 +55,6 @@ class Newmark final : public ImplicitMethod {
   void accept() override {
     std::swap(end_, last_);
     force_ = newton_.force();
-    known_ = true;
   }
   void restart() override { known_ = false; }
 
