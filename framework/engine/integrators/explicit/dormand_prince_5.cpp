@@ -25,26 +25,10 @@ MethodInfo describe() {
   return info;
 }
 
-ButcherTableau tableau() {
-  return {
-      .c = {0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0},
-      .a = {{},
-            {1.0 / 5.0},
-            {3.0 / 40.0, 9.0 / 40.0},
-            {44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0},
-            {19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0},
-            {9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0},
-            {35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0}},
-      .b = {35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0, 0.0},
-      .error = {71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0},
-      .firstSameAsLast = true,
-  };
-}
-
 /// Dormand-Prince 5(4), with its dense output of order 4.
 class DormandPrince5 : public ExplicitRungeKutta {
  public:
-  DormandPrince5() : ExplicitRungeKutta(describe(), tableau()), tableau_(tableau()) {}
+  DormandPrince5() : ExplicitRungeKutta(describe(), dormandPrince5Tableau()) {}
 
   void interpolate(const System&, const State& from, const State& to, double theta, State& out) override {
     // Weights of the fourth coefficient (Shampine's choice, as in the code DOPRI5 of Hairer and Wanner).
@@ -53,24 +37,38 @@ class DormandPrince5 : public ExplicitRungeKutta {
                             701980252875.0 / 199316789632.0, -1453857185.0 / 822651844.0,
                             69997945.0 / 29380423.0};
     const double rest = 1.0 - theta;
-    double weights[7];
+    double sum[7];
     for (std::size_t j = 0; j < 7; ++j) {
-      const double b = tableau_.b[j];
+      const double b = weights()[j];
       const double first = j == 0 ? 1.0 : 0.0;
       const double last = j == 6 ? 1.0 : 0.0;
       const double start = first - b;
-      weights[j] = theta * (b + rest * (start + theta * (b - last - start + rest * d[j])));
+      sum[j] = theta * (b + rest * (start + theta * (b - last - start + rest * d[j])));
     }
     const double h = to.t - from.t;
     prepareResult(from, theta * h, out);
-    combine(weights, from, h, out.x, out.v);
+    combine(sum, from, h, out.x, out.v);
   }
-
- private:
-  ButcherTableau tableau_;
 };
 
 }  // namespace
+
+ButcherTableau dormandPrince5Tableau() {
+  return {
+      .c = {0.0L, 1.0L / 5.0L, 3.0L / 10.0L, 4.0L / 5.0L, 8.0L / 9.0L, 1.0L, 1.0L},
+      .a = {{},
+            {1.0L / 5.0L},
+            {3.0L / 40.0L, 9.0L / 40.0L},
+            {44.0L / 45.0L, -56.0L / 15.0L, 32.0L / 9.0L},
+            {19372.0L / 6561.0L, -25360.0L / 2187.0L, 64448.0L / 6561.0L, -212.0L / 729.0L},
+            {9017.0L / 3168.0L, -355.0L / 33.0L, 46732.0L / 5247.0L, 49.0L / 176.0L, -5103.0L / 18656.0L},
+            {35.0L / 384.0L, 0.0L, 500.0L / 1113.0L, 125.0L / 192.0L, -2187.0L / 6784.0L, 11.0L / 84.0L}},
+      .b = {35.0L / 384.0L, 0.0L, 500.0L / 1113.0L, 125.0L / 192.0L, -2187.0L / 6784.0L, 11.0L / 84.0L, 0.0L},
+      .error = {71.0L / 57600.0L, 0.0L, -71.0L / 16695.0L, 71.0L / 1920.0L, -17253.0L / 339200.0L, 22.0L / 525.0L,
+                -1.0L / 40.0L},
+      .firstSameAsLast = true,
+  };
+}
 
 std::unique_ptr<Method> dormandPrince5() { return std::make_unique<DormandPrince5>(); }
 

@@ -25,8 +25,10 @@ MethodInfo describe() {
 }  // namespace
 
 /// R(z) = 1 + z.
+ButcherTableau explicitEulerTableau() { return {.c = {0.0L}, .a = {{}}, .b = {1.0L}}; }
+
 std::unique_ptr<Method> explicitEuler() {
-  return std::make_unique<ExplicitRungeKutta>(describe(), ButcherTableau{.c = {0.0}, .a = {{}}, .b = {1.0}});
+  return std::make_unique<ExplicitRungeKutta>(describe(), explicitEulerTableau());
 }
 
 }  // namespace muelle::engine

@@ -27,9 +27,10 @@ MethodInfo describe() {
 }  // namespace
 
 /// R(z) = 1 + z + z^2/2.
+ButcherTableau explicitMidpointTableau() { return {.c = {0.0L, 0.5L}, .a = {{}, {0.5L}}, .b = {0.0L, 1.0L}}; }
+
 std::unique_ptr<Method> explicitMidpoint() {
-  return std::make_unique<ExplicitRungeKutta>(describe(),
-                                              ButcherTableau{.c = {0.0, 0.5}, .a = {{}, {0.5}}, .b = {0.0, 1.0}});
+  return std::make_unique<ExplicitRungeKutta>(describe(), explicitMidpointTableau());
 }
 
 }  // namespace muelle::engine

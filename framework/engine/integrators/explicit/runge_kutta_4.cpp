@@ -24,12 +24,14 @@ MethodInfo describe() {
 }  // namespace
 
 /// R(z) = 1 + z + z^2/2 + z^3/6 + z^4/24.
-std::unique_ptr<Method> rungeKutta4() {
-  return std::make_unique<ExplicitRungeKutta>(describe(), ButcherTableau{
-                                                              .c = {0.0, 0.5, 0.5, 1.0},
-                                                              .a = {{}, {0.5}, {0.0, 0.5}, {0.0, 0.0, 1.0}},
-                                                              .b = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0},
-                                                          });
+ButcherTableau rungeKutta4Tableau() {
+  return {
+      .c = {0.0L, 0.5L, 0.5L, 1.0L},
+      .a = {{}, {0.5L}, {0.0L, 0.5L}, {0.0L, 0.0L, 1.0L}},
+      .b = {1.0L / 6.0L, 1.0L / 3.0L, 1.0L / 3.0L, 1.0L / 6.0L},
+  };
 }
+
+std::unique_ptr<Method> rungeKutta4() { return std::make_unique<ExplicitRungeKutta>(describe(), rungeKutta4Tableau()); }
 
 }  // namespace muelle::engine

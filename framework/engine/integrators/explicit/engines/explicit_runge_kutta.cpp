@@ -6,8 +6,14 @@
 
 namespace muelle::engine {
 
-ExplicitRungeKutta::ExplicitRungeKutta(MethodInfo info, ButcherTableau tableau)
-    : info_(std::move(info)), tableau_(std::move(tableau)) {}
+ExplicitRungeKutta::ExplicitRungeKutta(MethodInfo info, const ButcherTableau& tableau)
+    : info_(std::move(info)),
+      c_(rounded(tableau.c)),
+      b_(rounded(tableau.b)),
+      errorWeights_(rounded(tableau.error)),
+      firstSameAsLast_(tableau.firstSameAsLast) {
+  for (const Coefficients& row : tableau.a) a_.push_back(rounded(row));
+}
 
 void ExplicitRungeKutta::prepare(const System& system, const Tolerance& tolerance) {
   tolerance_ = tolerance;
@@ -55,20 +61,21 @@ void ExplicitRungeKutta::provideFirstSlope(const System& system, const State& fr
 StepResult ExplicitRungeKutta::step(const System& system, const State& from, double h, State& to) {
   provideFirstSlope(system, from);
   for (std::size_t i = 1; i < stages(); ++i) {
-    combine(tableau_.a[i], from, h, stage_, velocity(i));
-    evaluate(system, from.t + tableau_.c[i] * h, stage_, from.z, i);
+    combine(a_[i], from, h, stage_, velocity(i));
+    evaluate(system, from.t + c_[i] * h, stage_, from.z, i);
   }
   prepareResult(from, h, to);
-  combine(tableau_.b, from, h, to.x, to.v);
+  combine(b_, from, h, to.x, to.v);
   end_.set(to);
-  endKnown_ = tableau_.firstSameAsLast;
+  endKnown_ = firstSameAsLast_;
   return finiteOrFailure(system, from, to, error(from, to, h));
 }
 
-void ExplicitRungeKutta::ensureEndSlope(const System& system, const State& to) {
+void ExplicitRungeKutta::ensureEndSlope(const System& system, const State& from, const State& to) {
   if (endKnown_) return;
   std::copy(to.v.begin(), to.v.end(), velocity(endSlope()).begin());
-  evaluate(system, to.t, to.x, to.z, endSlope());
+  // With the internal variables of the step: those of `to` may already be the next one's.
+  evaluate(system, to.t, to.x, from.z, endSlope());
   endKnown_ = true;
 }
 
@@ -83,7 +90,7 @@ void ExplicitRungeKutta::combine(std::span<const double> weights, const State& f
 }
 
 double ExplicitRungeKutta::error(const State& from, const State& to, double h) const {
-  return tableau_.error.empty() ? 0.0 : weightedNorm(tableau_.error, from, to, h);
+  return errorWeights_.empty() ? 0.0 : weightedNorm(errorWeights_, from, to, h);
 }
 
 double ExplicitRungeKutta::weightedNorm(std::span<const double> weights, const State& from, const State& to,

@@ -1,27 +1,17 @@
 #pragma once
 #include "engine/integrators/explicit/engines/combination.h"
 #include "engine/integrators/explicit/engines/state_mark.h"
+#include "engine/integrators/explicit/tableaus.h"
 
 #include <vector>
 
 namespace muelle::engine {
 
-/// Coefficients of an explicit Runge-Kutta method for y' = g(t, y), y = (x, v), g = (v, F/m).
-struct ButcherTableau {
-  std::vector<double> c;               ///< times of the stages, in steps
-  std::vector<std::vector<double>> a;  ///< row i: weights of stages 0 .. i-1
-  std::vector<double> b;               ///< weights of the step
-  /// Weights of the error estimate (b minus the embedded b), one per stage and one for the slope at the step's end when
-  /// the last stage is that slope; empty without an estimate.
-  std::vector<double> error = {};
-  bool firstSameAsLast = false;  ///< the last stage is the slope at the step's end, so it is the next one's first
-};
-
 /// Explicit Runge-Kutta methods. Each stage is one fused sum over the slopes before it; the velocity of a stage is
 /// written where it serves as the position's slope, so nothing is copied.
 class ExplicitRungeKutta : public Method {
  public:
-  ExplicitRungeKutta(MethodInfo info, ButcherTableau tableau);
+  ExplicitRungeKutta(MethodInfo info, const ButcherTableau& tableau);
 
   const MethodInfo& info() const override { return info_; }
   void prepare(const System& system, const Tolerance& tolerance) override;
@@ -41,20 +31,23 @@ class ExplicitRungeKutta : public Method {
   /// Extra room for slopes after the stages, for a dense output; before prepare().
   void reserveSlopes(std::size_t extra) { extraSlopes_ = extra; }
   /// Evaluates the slope at the end of the step, as slope number stages(), unless it is held already.
-  void ensureEndSlope(const System& system, const State& to);
+  void ensureEndSlope(const System& system, const State& from, const State& to);
 
-  std::size_t stages() const { return tableau_.b.size(); }
+  std::size_t stages() const { return b_.size(); }
+  std::span<const double> weights() const { return b_; }
   Out velocity(std::size_t j) { return {slopes_[j], size_}; }
   In velocity(std::size_t j) const { return {slopes_[j], size_}; }
   Out acceleration(std::size_t j) { return {slopes_[j] + size_, size_}; }
   Out stagePosition() { return stage_; }
 
  private:
-  std::size_t endSlope() const { return tableau_.firstSameAsLast ? stages() - 1 : stages(); }
+  std::size_t endSlope() const { return firstSameAsLast_ ? stages() - 1 : stages(); }
   void provideFirstSlope(const System& system, const State& from);
 
   MethodInfo info_;
-  ButcherTableau tableau_;
+  std::vector<double> c_, b_, errorWeights_;
+  std::vector<std::vector<double>> a_;
+  bool firstSameAsLast_ = false;
   Tolerance tolerance_;
   std::size_t extraSlopes_ = 1;
   std::size_t size_ = 0;
