@@ -91,6 +91,8 @@ class Constraints {
   virtual ~Constraints() = default;
 
   virtual int count() const = 0;
+  /// Whether all of them are distances, those that do not act included.
+  virtual bool onlyDistances() const { return true; }
   /// Evaluates constraint j; false when it does not act (an open contact).
   virtual bool evaluate(int j, double t, In x, In z, Constraint& out) const = 0;
   /// Overwrites f with the forces that no constraint covers: gravity, drag, external forces.

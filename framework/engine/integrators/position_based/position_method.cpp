@@ -1,0 +1,54 @@
+#include "engine/integrators/position_based/position_method.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace muelle::engine {
+
+void PositionMethod::prepare(const System& system, const Tolerance&) {
+  const Constraints* constraints = system.constraints();
+  if (constraints == nullptr) {
+    throw std::invalid_argument(
+        fmt::format("{} needs the elastic energies as constraints, which this system lacks", info_.id));
+  }
+  const std::string missing = constraints->leftOut();
+  if (!missing.empty()) {
+    throw std::invalid_argument(fmt::format("{} takes forces as constraints, which leave out: {}", info_.id, missing));
+  }
+  if (info_.needs.distanceConstraints && !constraints->onlyDistances()) {
+    throw std::invalid_argument(
+        fmt::format("{} takes springs only; this system has constraints that are no distances", info_.id));
+  }
+  external_.assign(static_cast<std::size_t>(system.size()), 0.0);
+  restart();
+}
+
+void PositionMethod::accelerate(const System& system, double t, double h, State& state) {
+  system.constraints()->externalForce(t, state.x, state.v, state.z, external_);
+  ++work_.forceEvaluations;
+  const std::span<const double> mass = system.mass();
+  const std::span<const double> drag =
+      system.drag() != nullptr ? system.drag()->coefficients() : std::span<const double>{};
+  for (std::size_t i = 0; i < state.v.size(); ++i) {
+    const double rate = drag.empty() ? 0.0 : drag[i] / mass[i];
+    if (rate == 0.0) {
+      state.v[i] += h * external_[i] / mass[i];
+    } else {
+      const double constant = external_[i] + drag[i] * state.v[i];
+      state.v[i] += std::expm1(-rate * h) * (state.v[i] - constant / drag[i]);
+    }
+  }
+}
+
+StepResult PositionMethod::finish(const State& from, double h, State& to) const {
+  to.t = from.t + h;
+  StepResult result;
+  const auto finite = [](double value) { return std::isfinite(value); };
+  result.done = std::ranges::all_of(to.x, finite) && std::ranges::all_of(to.v, finite);
+  if (!result.done) result.failure = fmt::format("{} with h = {:.6g} s: the new state is not finite", info_.id, h);
+  return result;
+}
+
+}  // namespace muelle::engine

@@ -1,0 +1,28 @@
+#pragma once
+#include "engine/method.h"
+
+#include <vector>
+
+namespace muelle::engine {
+
+/// What the position based methods share: the check that constraints cover the system's forces, and external forces.
+class PositionMethod : public Method {
+ public:
+  explicit PositionMethod(MethodInfo info) : info_(std::move(info)) {}
+
+  const MethodInfo& info() const override { return info_; }
+  /// Throws std::invalid_argument when the system has no constraints, when they leave out a force (friction), or when
+  /// one is no distance and the method takes distances only.
+  void prepare(const System& system, const Tolerance& tolerance) override;
+
+ protected:
+  /// Advances v by the external forces over h: node drag exactly, all others as constant.
+  void accelerate(const System& system, double t, double h, State& state);
+  /// Sets the time and checks that x and v are finite.
+  StepResult finish(const State& from, double h, State& to) const;
+
+  MethodInfo info_;
+  std::vector<double> external_;
+};
+
+}  // namespace muelle::engine

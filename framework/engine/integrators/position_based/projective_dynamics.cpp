@@ -1,0 +1,156 @@
+#include "engine/integrators/position_based/methods.h"
+#include "engine/integrators/position_based/position_method.h"
+#include "engine/solve/linear_solver.h"
+
+#include <fmt/format.h>
+#include <cmath>
+#include <stdexcept>
+
+namespace muelle::engine {
+
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+MethodInfo facts(int iterations) {
+  MethodInfo info;
+  info.id = "projective_dynamics";
+  info.name = fmt::format("projective dynamics, {} iterations", iterations);
+  info.order = 1;
+  info.stages = 0;
+  info.implicit = true;
+  info.iterative = true;
+  info.conservesMomentum = true;
+  info.stability = Stability::LStable;
+  info.imaginaryLimit = info.realLimit = std::numeric_limits<double>::infinity();
+  info.needs.constraints = true;
+  info.needs.distanceConstraints = true;
+  info.formula = "(M / h^2 + sum k A^T A) x = M s / h^2 + sum k A^T p,  s = x0 + h v0 + h^2 M^-1 F_ext,  |p| = L0";
+  info.source = "Bouaziz et al.: Projective Dynamics, 2014; Liu et al. 2013 for springs";
+  info.remark =
+      "A baseline: the local-global iteration tends to backward Euler's solution slowly when springs turn, and "
+      "stopping "
+      "early looks like slow motion. Distances only.";
+  return info;
+}
+
+/// The local step projects each spring on its rest length, the global step solves with a constant matrix, factorised
+/// once for each h. Written for the increment of x: the right-hand side is then the true residual of backward Euler
+/// (projected damping included), and only the matrix is the method's.
+class ProjectiveDynamics final : public PositionMethod {
+ public:
+  explicit ProjectiveDynamics(int iterations) : PositionMethod(facts(iterations)), iterations_(iterations) {
+    if (iterations < 1) {
+      throw std::invalid_argument(fmt::format("projective_dynamics: {} iterations; at least 1 is needed", iterations));
+    }
+  }
+
+  void prepare(const System& system, const Tolerance& tolerance) override {
+    PositionMethod::prepare(system, tolerance);
+    matrixStep_ = 0.0;
+    covered_.assign(static_cast<std::size_t>(system.constraints()->count()), false);
+    for (Vector* v : {&residual_, &increment_, &inertial_}) v->setZero(system.size());
+  }
+
+  StepResult step(const System& system, const State& from, double h, State& to) override {
+    to.x = from.x;
+    to.v = from.v;
+    to.z = from.z;
+    accelerate(system, from.t, h, to);
+    for (std::size_t i = 0; i < to.x.size(); ++i) to.x[i] += h * to.v[i];
+    inertial_ = Eigen::Map<const Vector>(to.x.data(), inertial_.size());
+    const std::span<const double> mass = system.mass();
+    const Eigen::Map<const Vector> m(mass.data(), inertial_.size());
+    Eigen::Map<Vector> x(to.x.data(), inertial_.size());
+    for (int i = 0; i < iterations_; ++i) {
+      residual_ = m.cwiseProduct(x - inertial_) / (h * h);
+      if (addElastic(system, from, h, to) || h != matrixStep_) {
+        const std::string failure = refactor(system, from.t + h, h, to);
+        if (!failure.empty()) return {.done = false, .failure = failure};
+      }
+      const std::string failure = solver_.solve(residual_, increment_);
+      ++work_.solves;
+      if (!failure.empty()) return {.done = false, .failure = fmt::format("{}: {}", info_.id, failure)};
+      x -= increment_;
+    }
+    for (std::size_t i = 0; i < to.x.size(); ++i) to.v[i] = (to.x[i] - from.x[i]) / h;
+    return finish(from, h, to);
+  }
+
+  void restart() override { matrixStep_ = 0.0; }
+
+ private:
+  /// Adds the gradient of the springs' energies and their damping to residual_; true when one acts that the matrix
+  /// lacks.
+  bool addElastic(const System& system, const State& from, double h, const State& to) {
+    const Constraints& constraints = *system.constraints();
+    ++work_.forceEvaluations;
+    bool missing = false;
+    for (int j = 0; j < constraints.count(); ++j) {
+      if (!constraints.evaluate(j, from.t + h, to.x, to.z, constraint_)) continue;
+      const Constraint& c = constraint_;
+      if (!covered_[static_cast<std::size_t>(j)]) missing = true;
+      double moved = 0.0;
+      for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
+        const auto u = static_cast<std::size_t>(c.unknown[i]);
+        moved += c.gradient[i] * (to.x[u] - from.x[u]);
+      }
+      const double pull = c.value / c.compliance + c.damping * moved / h;
+      for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
+        residual_[c.unknown[i]] += pull * c.gradient[i];
+      }
+    }
+    return missing;
+  }
+
+  /// Empty, or why there is no matrix.
+  std::string refactor(const System& system, double t, double h, const State& state) {
+    const Constraints& constraints = *system.constraints();
+    const int dimension = system.dimension();
+    std::vector<Eigen::Triplet<double>> entries;
+    const std::span<const double> mass = system.mass();
+    for (int i = 0; i < system.size(); ++i) entries.emplace_back(i, i, mass[static_cast<std::size_t>(i)] / (h * h));
+    for (int j = 0; j < constraints.count(); ++j) {
+      if (!constraints.evaluate(j, t, state.x, state.z, constraint_)) continue;
+      const Constraint& c = constraint_;
+      if (c.kind != Constraint::Kind::Distance || (c.count != dimension && c.count != 2 * dimension)) {
+        return fmt::format("{} takes distances only; constraint {} is none", info_.id, j);
+      }
+      if (!(c.compliance > 0.0)) return fmt::format("{}: constraint {} is rigid", info_.id, j);
+      covered_[static_cast<std::size_t>(j)] = true;
+      const double k = 1.0 / c.compliance + c.damping / h;
+      for (int axis = 0; axis < dimension; ++axis) {
+        const int a = c.unknown[static_cast<std::size_t>(axis)];
+        entries.emplace_back(a, a, k);
+        if (c.count == dimension) continue;
+        const int b = c.unknown[static_cast<std::size_t>(axis + dimension)];
+        entries.emplace_back(b, b, k);
+        entries.emplace_back(a, b, -k);
+        entries.emplace_back(b, a, -k);
+      }
+    }
+    matrix_.sparse.resize(system.size(), system.size());
+    matrix_.sparse.setFromTriplets(entries.begin(), entries.end());
+    matrix_.symmetric = true;
+    const Factorisation found = solver_.factorise(matrix_, true);
+    ++work_.jacobians;
+    ++work_.factorisations;
+    if (!found.usable) return fmt::format("{}: {}", info_.id, found.failure);
+    matrixStep_ = h;
+    return {};
+  }
+
+  int iterations_;
+  double matrixStep_ = 0.0;    // h of the matrix; 0: there is none
+  std::vector<bool> covered_;  // constraints that are in the matrix
+  SystemMatrix matrix_;
+  LinearSolver solver_;
+  Constraint constraint_;
+  Vector residual_, increment_, inertial_;
+};
+
+}  // namespace
+
+std::unique_ptr<Method> projectiveDynamics(int iterations) { return std::make_unique<ProjectiveDynamics>(iterations); }
+
+}  // namespace muelle::engine
