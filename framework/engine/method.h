@@ -46,14 +46,30 @@ class Method {
   /// Called when the last step() was accepted: methods with memory shift it here, so that a rejected step leaves none.
   virtual void accept() {}
   /// The state inside the last step, theta in [0, 1], for output and to find events. The default is the quintic (x) and
-  /// cubic (v) Hermite interpolant; methods with a dense output of their own use it.
+  /// cubic (v) Hermite interpolant, with two force evaluations a step; methods with a dense output of their own use it.
   virtual void interpolate(const System& system, const State& from, const State& to, double theta, State& out);
 
   const Work& work() const { return work_; }
-  void resetWork() { work_ = {}; }
+  /// Starts counting afresh, and forgets the forces kept for interpolate(), so that counts do not depend on earlier
+  /// runs.
+  void resetWork() {
+    work_ = {};
+    ends_ = {};
+  }
 
  protected:
   Work work_;  ///< added to by step()
+
+ private:
+  /// The forces at both ends of the step that the default interpolate() was last asked about.
+  struct Ends {
+    const System* system = nullptr;
+    State from, to;
+    std::vector<double> forceFrom, forceTo;
+  };
+  void updateEnds(const System& system, const State& from, const State& to);
+
+  Ends ends_;
 };
 
 }  // namespace muelle::engine

@@ -18,6 +18,10 @@ class System : public DynamicalSystem {
   /// Whether the force depends on the velocity anywhere (a Nystroem method needs that it does not).
   virtual bool forceUsesVelocity() const { return true; }
 
+  /// Whether a force changes with time in a way that no declared time announces: an adaptive method could step over it,
+  /// and has to be given a largest step.
+  virtual bool hasUnannouncedForce() const { return false; }
+
   virtual const Potential* potential() const { return nullptr; }
   virtual const Drag* drag() const { return nullptr; }
   virtual const Linearisation* linearisation() const { return nullptr; }

@@ -66,6 +66,14 @@ void checkOptions(const RunOptions& options, const State& start, bool adaptive) 
           "be positive");
 }
 
+void checkForesight(const System& system, const MethodInfo& method, const RunOptions& options) {
+  const bool blind = method.adaptive && !options.fixedStep && system.hasUnannouncedForce();
+  require(!blind || std::isfinite(options.largestStep),
+          fmt::format("a force changes with time without declared times, and {} could step over it; set largestStep "
+                      "below the shortest thing that the force does, or declare the times at which it jumps",
+                      method.name));
+}
+
 void checkSizes(const System& system, const State& start) {
   const auto size = static_cast<std::size_t>(system.size());
   require(size > 0, "the system has no unknown");

@@ -5,6 +5,9 @@ namespace muelle::engine {
 
 /// Throws std::invalid_argument when an option makes no sense for a run from `start` with this method.
 void checkOptions(const RunOptions& options, const State& start, bool adaptive);
+/// Throws std::invalid_argument when an adaptive method without a largest step could step over a force that no declared
+/// time announces: its error estimate never sees what lies between its stages.
+void checkForesight(const System& system, const MethodInfo& method, const RunOptions& options);
 /// Throws std::invalid_argument when sizes, masses or the start time make no sense.
 void checkSizes(const System& system, const State& start);
 

@@ -1,5 +1,6 @@
 #include "engine/control/simulate.h"
 
+#include "engine/control/event_locator.h"
 #include "engine/control/run_checks.h"
 #include "engine/control/run_recorder.h"
 #include "engine/control/step_controller.h"
@@ -22,6 +23,7 @@ namespace {
 
 constexpr int mostRetries = 30;
 constexpr std::size_t mostKeptEvents = 10'000;
+constexpr int mostCrossings = 20;  // of one guard within a step
 
 std::vector<double> declaredTimes(const System& system, double from, double to) {
   std::vector<double> times;
@@ -41,11 +43,18 @@ class Run {
   PlannedStep plan() const;
   PlannedStep planByError() const;
   void cutAtObstacles(PlannedStep& step);
+  StepResult locateEvent(PlannedStep& step);
   bool take(PlannedStep& step);
   bool retryFailed(const PlannedStep& step, const StepResult& result);
   bool retryInexact(const PlannedStep& step, const StepResult& result);
   void shorten(PlannedStep& step, double length) const;
   void finishStep(const PlannedStep& step);
+  void move(const PlannedStep& step);
+  bool crossGuards();
+  bool chatters(const std::vector<int>& crossed);
+  void goLive(int guard);
+  void updateModes(bool jump);
+  double nominalStep() const { return adaptive_ ? controller_->h() : options_.h; }
   bool limitsHold();
   bool stop(StopReport report);
   void warnOnce(bool& given, std::string text);
@@ -66,12 +75,17 @@ class Run {
   TimeGrid grid_;
   std::optional<StepController> controller_;
   Stepper stepper_;
+  std::optional<EventLocator> locator_;
   RunRecorder recorder_;
   RunMonitor monitor_;
   StopReport report_;
   RunResult result_;
   double piece_ = std::numeric_limits<double>::infinity();  // longest step after failures of a fixed step
   int retries_ = 0;                                         // of the present step
+  std::vector<int> crossings_;                              // of each guard since windowStart_
+  double windowStart_ = 0.0;
+  double liveUntil_ = 0.0;  // after chatter: events are not located before this time
+  bool warnedOfChatter_ = false;
   bool warnedOfCuts_ = false;
   bool warnedOfFailures_ = false;
 };
@@ -93,6 +107,10 @@ Run::Run(const System& system, Method& method, State start, const RunOptions& op
       monitor_(system, options.explosion, options.duration,
                [&system](std::size_t unknown) { return system.unknownName(static_cast<int>(unknown)); }) {
   if (from_.z.empty()) from_.z.assign(static_cast<std::size_t>(system.internalSize()), 0.0);
+  if (!frozen_) return;
+  locator_.emplace(system, method, stepper_);
+  crossings_.assign(static_cast<std::size_t>(switching_->guardCount()), 0);
+  windowStart_ = start_;
 }
 
 RunResult Run::go() {
@@ -123,12 +141,17 @@ void Run::begin() {
     result_.warnings.push_back(fmt::format(
         "{} does not give its increments: compensated summation removes none of its rounding", method_.info().name));
   }
-  if (!adaptive_) return;
-  const int order = std::max(1, method_.info().order);
-  const double h = options_.h > 0.0
-                       ? options_.h
-                       : firstStep(system_, from_, order, options_.tolerance, options_.duration, result_.work);
-  controller_.emplace(order, h, options_.largestStep);
+  if (switching_ != nullptr && !frozen_ && !declaredTimes(system_, start_, end_).empty()) {
+    result_.warnings.push_back("events are not located: the force jumps at declared times, which a step may pass over");
+  }
+  if (adaptive_) {
+    const int order = std::max(1, method_.info().order);
+    const double h = options_.h > 0.0
+                         ? options_.h
+                         : firstStep(system_, from_, order, options_.tolerance, options_.duration, result_.work);
+    controller_.emplace(order, h, options_.largestStep);
+  }
+  if (locator_) locator_->start(from_, nominalStep());
 }
 
 double Run::shortestStep() const { return std::max(2.0 * timeRounding(from_.t, end_), 1e-15 * options_.duration); }
@@ -186,8 +209,11 @@ bool Run::take(PlannedStep& step) {
     } else if (adaptive_ && !(result.error <= 1.0)) {
       again = retryInexact(step, result);
     } else {
+      if (!stop(monitor_.checkStep(from_, to_))) return false;
       if (adaptive_) controller_->accept(step.length, result.error);
-      return stop(monitor_.checkStep(from_, to_));
+      const StepResult located = locateEvent(step);
+      if (located.done) return true;
+      again = retryFailed(step, located);
     }
     if (!again) return false;
     shorten(step, adaptive_ ? std::min(controller_->h(), step.length) : piece_);
@@ -225,16 +251,19 @@ bool Run::retryInexact(const PlannedStep& step, const StepResult& result) {
                    from_.t, step.length, result.error, options_.tolerance.relative, options_.tolerance.absolute)});
 }
 
-void Run::finishStep(const PlannedStep& step) {
-  recorder_.recordInside(system_, method_, from_, to_);
-  stepper_.accept();
-  std::swap(from_, to_);
-  ++result_.work.steps;
-  result_.smallestStep = std::min(result_.smallestStep, step.length);
-  if (!adaptive_) grid_.moved(step.reachesGrid);
-  // After a failure the pieces grow again, at most to the grid's step.
-  if (piece_ < options_.h) piece_ *= 2.0;
+/// Shortens the step that has just been taken to the first event in it.
+StepResult Run::locateEvent(PlannedStep& step) {
+  if (!frozen_) return {};
+  const EventLocator::Found found = locator_->locate(from_, to_);
+  if (!found.event || to_.t == step.t) return found.step;
+  step.t = to_.t;
+  step.length = found.length;
+  step.reachesStop = step.reachesGrid = false;
+  return found.step;
+}
 
+void Run::finishStep(const PlannedStep& step) {
+  if (step.length > 0.0) move(step);
   bool asked = false;
   bool jump = false;
   if (step.reachesStop) {
@@ -243,9 +272,67 @@ void Run::finishStep(const PlannedStep& step) {
     stops_.advance();
     if (jump) addEvent("declared time");
   }
-  if (switching_ != nullptr && switching_->commit(from_, frozen_)) jump = true;
-  if (jump) method_.restart();
-  recorder_.recordEnd(from_, asked);
+  if (frozen_ && crossGuards()) jump = true;
+  updateModes(jump);
+  if (step.length > 0.0) recorder_.recordEnd(from_, asked);
+}
+
+void Run::move(const PlannedStep& step) {
+  recorder_.recordInside(system_, method_, from_, to_);
+  stepper_.accept();
+  std::swap(from_, to_);
+  ++result_.work.steps;
+  result_.smallestStep = std::min(result_.smallestStep, step.length);
+  if (!adaptive_) grid_.moved(step.reachesGrid);
+  // After a failure the pieces grow again, at most to the grid's step.
+  if (piece_ < options_.h) piece_ *= 2.0;
+}
+
+bool Run::crossGuards() {
+  const std::vector<int> crossed = locator_->crossed();
+  for (const int guard : crossed) {
+    switching_->cross(guard, from_);
+    addEvent(switching_->guardName(guard));
+  }
+  if (chatters(crossed)) goLive(crossed.front());
+  return !crossed.empty();
+}
+
+/// Whether a guard crosses to and fro so often that the events make no headway.
+bool Run::chatters(const std::vector<int>& crossed) {
+  if (from_.t - windowStart_ > nominalStep()) {
+    windowStart_ = from_.t;
+    std::fill(crossings_.begin(), crossings_.end(), 0);
+  }
+  bool often = false;
+  for (const int guard : crossed) often |= ++crossings_[static_cast<std::size_t>(guard)] > mostCrossings;
+  return often;
+}
+
+/// Takes the next step with live modes: the force then switches within the step, as it does without event location.
+void Run::goLive(int guard) {
+  frozen_ = false;
+  liveUntil_ = from_.t + nominalStep();
+  std::fill(crossings_.begin(), crossings_.end(), 0);
+  if (warnedOfChatter_) return;
+  warnOnce(warnedOfChatter_,
+           fmt::format("t = {:.6g} s: '{}' happens more than {} times within a step; the next step is "
+                       "taken without locating events",
+                       from_.t, switching_->guardName(guard), mostCrossings));
+}
+
+/// Commits the state, and tells method and locator what that has changed.
+void Run::updateModes(bool jump) {
+  if (switching_ == nullptr) return;
+  const bool freezeAgain = locator_ && !frozen_ && from_.t >= liveUntil_;
+  frozen_ = frozen_ || freezeAgain;
+  if (switching_->commit(from_, frozen_)) jump = true;
+  if (jump || freezeAgain) method_.restart();
+  if (freezeAgain) {
+    locator_->start(from_, nominalStep());
+  } else if (frozen_) {
+    locator_->settle(from_);
+  }
 }
 
 bool Run::limitsHold() {
@@ -295,6 +382,7 @@ RunResult Run::finish() {
 RunResult simulate(const System& system, Method& method, State start, const RunOptions& options) {
   checkSizes(system, start);
   checkOptions(options, start, method.info().adaptive && !options.fixedStep);
+  checkForesight(system, method.info(), options);
   return Run(system, method, std::move(start), options).go();
 }
 
