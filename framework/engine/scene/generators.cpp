@@ -1,0 +1,317 @@
+#include "engine/scene/generators.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace muelle::engine {
+
+namespace {
+
+constexpr std::size_t mostNodes = 2'000'000;  // of a model
+
+const Vec3& positionOf(const Model& model, int node) { return model.nodes[static_cast<std::size_t>(node)].x; }
+
+/// The nodes of a new part.
+Part beginPart(Model& model, std::size_t count) {
+  if (model.nodes.size() + count > mostNodes) {
+    throw std::invalid_argument(fmt::format("{} nodes; at most {} are built", model.nodes.size() + count, mostNodes));
+  }
+  Part part;
+  part.firstNode = static_cast<int>(model.nodes.size());
+  part.nodeCount = static_cast<int>(count);
+  model.nodes.reserve(model.nodes.size() + count);
+  return part;
+}
+
+void addNode(Model& model, const Vec3& x) {
+  ModelNode node;
+  node.x = x;
+  model.nodes.push_back(node);
+}
+
+/// A spring at rest where its nodes are.
+void connect(Model& model, int a, int b, const SpringMaterial& material) {
+  ModelSpring spring;
+  spring.a = a;
+  spring.b = b;
+  spring.k = material.k;
+  spring.L0 = (positionOf(model, a) - positionOf(model, b)).norm();
+  spring.dRelative = material.dRelative;
+  spring.dProjected = material.dProjected;
+  model.springs.push_back(spring);
+}
+
+SpringMaterial withStiffness(SpringMaterial material, double k) {
+  material.k = k;
+  return material;
+}
+
+void requireSpace(const Model& model, const char* what) {
+  if (model.dimension != 3) throw std::invalid_argument(fmt::format("{} needs a scene of dimension 3", what));
+}
+
+/// The triangle's area where it is, as the model measures it: signed in the plane, along its normal in space.
+void addArea(Model& model, const Triangle& t, double modulus) {
+  ModelArea area;
+  area.a = t[0];
+  area.b = t[1];
+  area.c = t[2];
+  const Vec3 ab = positionOf(model, t[1]) - positionOf(model, t[0]);
+  const Vec3 ac = positionOf(model, t[2]) - positionOf(model, t[0]);
+  if (model.dimension == 2) {
+    const auto [p, q] = model.plane;
+    area.A0 = 0.5 * (ab[p] * ac[q] - ab[q] * ac[p]);
+  } else {
+    area.normal = ab.cross(ac).normalized();
+    area.A0 = 0.5 * ab.cross(ac).norm();
+  }
+  area.k = modulus / std::abs(area.A0);
+  model.areas.push_back(area);
+}
+
+void addVolume(Model& model, const std::array<int, 4>& t, double modulus) {
+  ModelVolume volume;
+  volume.a = t[0];
+  volume.b = t[1];
+  volume.c = t[2];
+  volume.d = t[3];
+  const Vec3& a = positionOf(model, t[0]);
+  volume.V0 = (positionOf(model, t[1]) - a).dot((positionOf(model, t[2]) - a).cross(positionOf(model, t[3]) - a)) / 6.0;
+  volume.k = modulus / std::abs(volume.V0);
+  model.volumes.push_back(volume);
+}
+
+/// The triangles of a grid, anticlockwise seen from across x along.
+std::vector<Triangle> gridTriangles(int firstNode, int nu, int nv) {
+  std::vector<Triangle> triangles;
+  for (int j = 0; j + 1 < nv; ++j) {
+    for (int i = 0; i + 1 < nu; ++i) {
+      const int q = firstNode + j * nu + i;
+      triangles.push_back({q, q + 1, q + nu + 1});
+      triangles.push_back({q, q + nu + 1, q + nu});
+    }
+  }
+  return triangles;
+}
+
+void addGridSprings(Model& model, const Part& part, const GridShape& shape) {
+  const auto node = [&](int i, int j) { return part.firstNode + j * shape.nu + i; };
+  for (int j = 0; j < shape.nv; ++j) {
+    for (int i = 0; i < shape.nu; ++i) {
+      if (i + 1 < shape.nu) connect(model, node(i, j), node(i + 1, j), shape.structural);
+      if (j + 1 < shape.nv) connect(model, node(i, j), node(i, j + 1), shape.structural);
+    }
+  }
+  const SpringMaterial shear = withStiffness(shape.structural, shape.shearStiffness);
+  for (int j = 0; j + 1 < shape.nv && shear.k > 0.0; ++j) {
+    for (int i = 0; i + 1 < shape.nu; ++i) {
+      connect(model, node(i, j), node(i + 1, j + 1), shear);
+      connect(model, node(i + 1, j), node(i, j + 1), shear);
+    }
+  }
+  const SpringMaterial bend = withStiffness(shape.structural, shape.bendStiffness);
+  for (int j = 0; j < shape.nv && bend.k > 0.0; ++j) {
+    for (int i = 0; i < shape.nu; ++i) {
+      if (i + 2 < shape.nu) connect(model, node(i, j), node(i + 2, j), bend);
+      if (j + 2 < shape.nv) connect(model, node(i, j), node(i, j + 2), bend);
+    }
+  }
+}
+
+/// The five tetrahedra of a cell, corners numbered x + 2 y + 4 z; positive volumes. The mirrored kind has the
+/// diagonals of its faces the other way.
+constexpr std::array<std::array<int, 4>, 5> evenCell = {{
+    {0, 1, 2, 4},
+    {1, 3, 2, 7},
+    {1, 4, 7, 5},
+    {2, 7, 4, 6},
+    {1, 2, 4, 7},
+}};
+constexpr std::array<std::array<int, 4>, 5> oddCell = {{
+    {1, 3, 0, 5},
+    {0, 3, 2, 6},
+    {0, 5, 6, 4},
+    {3, 6, 5, 7},
+    {0, 3, 6, 5},
+}};
+
+std::vector<std::array<int, 4>> boxTetrahedra(const BoxShape& shape, int firstNode) {
+  const auto node = [&](int i, int j, int k) { return firstNode + (k * (shape.ny + 1) + j) * (shape.nx + 1) + i; };
+  std::vector<std::array<int, 4>> tetrahedra;
+  for (int k = 0; k < shape.nz; ++k) {
+    for (int j = 0; j < shape.ny; ++j) {
+      for (int i = 0; i < shape.nx; ++i) {
+        for (const auto& corners : (i + j + k) % 2 == 0 ? evenCell : oddCell) {
+          std::array<int, 4> t{};
+          for (std::size_t c = 0; c < 4; ++c) {
+            t[c] = node(i + (corners[c] & 1), j + (corners[c] >> 1 & 1), k + (corners[c] >> 2));
+          }
+          tetrahedra.push_back(t);
+        }
+      }
+    }
+  }
+  return tetrahedra;
+}
+
+/// The faces of tetrahedra that belong to one of them alone, anticlockwise seen from outside.
+std::vector<Triangle> outerFaces(const std::vector<std::array<int, 4>>& tetrahedra) {
+  struct Face {
+    Triangle sorted;
+    Triangle face;
+  };
+  std::vector<Face> faces;
+  for (const auto& [a, b, c, d] : tetrahedra) {
+    for (const Triangle& face : {Triangle{a, c, b}, Triangle{a, b, d}, Triangle{a, d, c}, Triangle{b, c, d}}) {
+      Triangle sorted = face;
+      std::ranges::sort(sorted);
+      faces.push_back({sorted, face});
+    }
+  }
+  std::ranges::sort(faces, {}, &Face::sorted);
+  std::vector<Triangle> outer;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const bool twin = (i > 0 && faces[i - 1].sorted == faces[i].sorted) ||
+                      (i + 1 < faces.size() && faces[i + 1].sorted == faces[i].sorted);
+    if (!twin) outer.push_back(faces[i].face);
+  }
+  return outer;
+}
+
+void connectTetrahedra(Model& model, const std::vector<std::array<int, 4>>& tetrahedra,
+                       const SpringMaterial& material) {
+  std::vector<std::array<int, 2>> edges;
+  for (const auto& t : tetrahedra) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = i + 1; j < 4; ++j) edges.push_back({std::min(t[i], t[j]), std::max(t[i], t[j])});
+    }
+  }
+  std::ranges::sort(edges);
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  for (const auto& [a, b] : edges) connect(model, a, b, material);
+}
+
+double areaOf(const SurfaceMesh& mesh) {
+  double area = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3& a = mesh.vertices[static_cast<std::size_t>(t[0])];
+    const Vec3& b = mesh.vertices[static_cast<std::size_t>(t[1])];
+    const Vec3& c = mesh.vertices[static_cast<std::size_t>(t[2])];
+    area += 0.5 * (b - a).cross(c - a).norm();
+  }
+  return area;
+}
+
+}  // namespace
+
+Part addChain(Model& model, const ChainShape& shape) {
+  if (shape.n < 2) throw std::invalid_argument(fmt::format("a chain of {} nodes; at least 2 are needed", shape.n));
+  if (!((shape.to - shape.from).norm() > 0.0)) throw std::invalid_argument("a chain begins and ends at one point");
+  Part part = beginPart(model, static_cast<std::size_t>(shape.n));
+  for (int i = 0; i < shape.n; ++i) {
+    const double s = static_cast<double>(i) / (shape.n - 1);
+    addNode(model, (1.0 - s) * shape.from + s * shape.to);
+  }
+  for (int i = 0; i + 1 < shape.n; ++i) connect(model, part.firstNode + i, part.firstNode + i + 1, shape.spring);
+  for (int i = part.firstNode; i + 2 < part.firstNode + shape.n && shape.angleStiffness > 0.0; ++i) {
+    model.angles.push_back({i, i + 1, i + 2, shape.angleStiffness, 0.0});
+  }
+  part.measure = (shape.to - shape.from).norm();
+  return part;
+}
+
+Part addGrid(Model& model, const GridShape& shape) {
+  if (shape.nu < 2 || shape.nv < 2) {
+    throw std::invalid_argument(fmt::format("a grid of {} x {} nodes; at least 2 x 2", shape.nu, shape.nv));
+  }
+  if (model.dimension == 1) throw std::invalid_argument("a grid needs a scene of dimension 2 or 3");
+  if (!(shape.across.cross(shape.along).norm() > 1e-9)) {
+    throw std::invalid_argument("a grid's directions across and along are parallel");
+  }
+  Part part = beginPart(model, static_cast<std::size_t>(shape.nu) * static_cast<std::size_t>(shape.nv));
+  for (int j = 0; j < shape.nv; ++j) {
+    for (int i = 0; i < shape.nu; ++i) {
+      addNode(model, shape.origin + shape.spacing * i * shape.across + shape.spacing * j * shape.along);
+    }
+  }
+  addGridSprings(model, part, shape);
+  part.triangles = gridTriangles(part.firstNode, shape.nu, shape.nv);
+  if (shape.areaModulus > 0.0) {
+    for (const Triangle& t : part.triangles) addArea(model, t, shape.areaModulus);
+  }
+  if (shape.dihedralStiffness > 0.0) {
+    requireSpace(model, "dihedral bending");
+    for (const auto& [a, b, c, d] : hingesOf(part.triangles)) {
+      model.dihedrals.push_back({a, b, c, d, shape.dihedralStiffness, 0.0});
+    }
+  }
+  part.measure =
+      shape.across.cross(shape.along).norm() * shape.spacing * shape.spacing * (shape.nu - 1) * (shape.nv - 1);
+  return part;
+}
+
+Part addBox(Model& model, const BoxShape& shape) {
+  requireSpace(model, "a box");
+  if (shape.nx < 1 || shape.ny < 1 || shape.nz < 1) {
+    throw std::invalid_argument(
+        fmt::format("a box of {} x {} x {} cells; at least 1 each", shape.nx, shape.ny, shape.nz));
+  }
+  const auto along = [](int n) { return static_cast<std::size_t>(n) + 1; };
+  Part part = beginPart(model, along(shape.nx) * along(shape.ny) * along(shape.nz));
+  const Vec3 least = shape.centre - 0.5 * shape.size;
+  for (int k = 0; k <= shape.nz; ++k) {
+    for (int j = 0; j <= shape.ny; ++j) {
+      for (int i = 0; i <= shape.nx; ++i) {
+        const Vec3 parts(static_cast<double>(i) / shape.nx, static_cast<double>(j) / shape.ny,
+                         static_cast<double>(k) / shape.nz);
+        addNode(model, least + shape.size.cwiseProduct(parts));
+      }
+    }
+  }
+  const auto tetrahedra = boxTetrahedra(shape, part.firstNode);
+  connectTetrahedra(model, tetrahedra, shape.spring);
+  if (shape.bulkModulus > 0.0) {
+    for (const auto& t : tetrahedra) addVolume(model, t, shape.bulkModulus);
+  }
+  part.triangles = outerFaces(tetrahedra);
+  part.measure = shape.size.prod();
+  return part;
+}
+
+Part addShell(Model& model, const ShellShape& shape) {
+  requireSpace(model, "a surface");
+  Part part = beginPart(model, shape.mesh.vertices.size());
+  for (const Vec3& x : shape.mesh.vertices) addNode(model, x);
+  for (const auto& [a, b] : edgesOf(shape.mesh.triangles)) {
+    connect(model, part.firstNode + a, part.firstNode + b, shape.spring);
+  }
+  for (const Triangle& t : shape.mesh.triangles) {
+    part.triangles.push_back({part.firstNode + t[0], part.firstNode + t[1], part.firstNode + t[2]});
+  }
+  part.measure = areaOf(shape.mesh);
+  return part;
+}
+
+void lumpMass(Model& model, const Part& part, double M, double taper) {
+  const double ratio = part.nodeCount > 1 ? std::pow(taper, 1.0 / (part.nodeCount - 1)) : 1.0;
+  double sum = 0.0;
+  for (int i = 0; i < part.nodeCount; ++i) sum += std::pow(ratio, i);
+  for (int i = 0; i < part.nodeCount; ++i) {
+    model.nodes[static_cast<std::size_t>(part.firstNode + i)].m = M * std::pow(ratio, i) / sum;
+  }
+}
+
+void setDampingRatio(Model& model, const Part& part, double ratio) {
+  for (ModelSpring& spring : model.springs) {
+    if (spring.a < part.firstNode || spring.a >= part.firstNode + part.nodeCount) continue;
+    const double ma = model.nodes[static_cast<std::size_t>(spring.a)].m;
+    const double mb = model.nodes[static_cast<std::size_t>(spring.b)].m;
+    spring.dProjected = 2.0 * ratio * std::sqrt(spring.k * ma * mb / (ma + mb));
+  }
+}
+
+}  // namespace muelle::engine

@@ -1,0 +1,126 @@
+#include "engine/scene/mesh_text.h"
+
+#include "engine/scene/mesh_file.h"
+#include "harness/text/printable.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+namespace muelle::engine {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r\v\f";
+
+std::string shown(std::string_view word) { return cutText(printable(word), 1, 40); }
+
+}  // namespace
+
+void MeshText::fail(const std::string& complaint) const {
+  throw std::runtime_error(fmt::format("{}:{}: {}", name_, std::max(1, lineNumber_), complaint));
+}
+
+bool MeshText::nextLine(char comment) {
+  while (position_ < text_.size()) {
+    const std::size_t end = std::min(text_.find('\n', position_), text_.size());
+    line_ = text_.substr(position_, end - position_);
+    position_ = std::min(end + 1, text_.size());
+    ++lineNumber_;
+    column_ = 0;
+    if (comment != '\0') line_ = line_.substr(0, line_.find(comment));
+    if (line_.find_first_not_of(blanks) != std::string_view::npos) return true;
+  }
+  line_ = {};
+  column_ = 0;
+  return false;
+}
+
+bool MeshText::hasWord() { return line_.find_first_not_of(blanks, column_) != std::string_view::npos; }
+
+std::string_view MeshText::word() {
+  const std::size_t begin = std::min(line_.find_first_not_of(blanks, column_), line_.size());
+  column_ = std::min(line_.find_first_of(blanks, begin), line_.size());
+  return line_.substr(begin, column_ - begin);
+}
+
+double MeshText::number() {
+  std::string_view text = word();
+  if (text.empty()) fail("a number is missing");
+  const std::string_view whole = text;
+  if (text.front() == '+') text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) fail(fmt::format("'{}' is no number", shown(whole)));
+  return value;
+}
+
+std::int64_t MeshText::integer() {
+  const std::string_view text = word();
+  if (text.empty()) fail("an integer is missing");
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) fail(fmt::format("'{}' is no integer", shown(text)));
+  return value;
+}
+
+void MeshText::seekWord(char comment) {
+  while (!hasWord()) {
+    if (!nextLine(comment)) fail("the file ends too early");
+  }
+}
+
+double MeshText::numberAnywhere(char comment) {
+  seekWord(comment);
+  return number();
+}
+
+std::int64_t MeshText::integerAnywhere(char comment) {
+  seekWord(comment);
+  return integer();
+}
+
+int checkedCount(const MeshText& at, std::int64_t count, const char* what, int most, std::size_t bytes,
+                 std::size_t least) {
+  if (count < 0) at.fail(fmt::format("{} {}: a count is not negative", count, what));
+  if (count > most) at.fail(fmt::format("{} {}: at most {} are read", count, what, most));
+  if (static_cast<std::size_t>(count) > bytes / least) {
+    at.fail(fmt::format("{} {} do not fit into the {} bytes that follow: the file is cut short or its header wrong",
+                        count, what, bytes));
+  }
+  return static_cast<int>(count);
+}
+
+void addPolygon(SurfaceMesh& mesh, const std::vector<std::int64_t>& corners, std::int64_t vertexCount,
+                const MeshText& at) {
+  if (corners.size() < 3) at.fail(fmt::format("a face has {} corners; at least 3 are needed", corners.size()));
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (corners[i] < 0 || corners[i] >= vertexCount) {
+      at.fail(fmt::format("a face names vertex {} (counted from 0); there are {}", corners[i], vertexCount));
+    }
+    if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(i), corners[i]) !=
+        corners.begin() + static_cast<std::ptrdiff_t>(i)) {
+      at.fail(fmt::format("a face has vertex {} twice", corners[i]));
+    }
+  }
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    if (mesh.triangles.size() >= static_cast<std::size_t>(mostFaces)) {
+      at.fail(fmt::format("more than {} triangles; fewer are read", mostFaces));
+    }
+    mesh.triangles.push_back(
+        {static_cast<int>(corners[0]), static_cast<int>(corners[i]), static_cast<int>(corners[i + 1])});
+  }
+}
+
+void requireFinite(const Vec3& vertex, const MeshText& at) {
+  // Squares of larger coordinates overflow, and those of a mesh in metres are far smaller.
+  constexpr double most = 1e100;
+  if (!(vertex.cwiseAbs().maxCoeff() <= most) || !vertex.allFinite()) {
+    at.fail(fmt::format("a vertex lies at ({}, {}, {}); coordinates are finite and below 1e100", vertex[0], vertex[1],
+                        vertex[2]));
+  }
+}
+
+}  // namespace muelle::engine

@@ -1,0 +1,211 @@
+#include "engine/scene/object_reader.h"
+
+#include "engine/scene/mesh_file.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+
+namespace muelle::engine {
+
+namespace {
+
+using Keys = TableReader::Keys;
+
+constexpr int mostAlong = 100'000;  // nodes or cells of a generator in one direction
+
+const Keys commonKeys = {
+    "kind",          "name", "mass",     "density", "k",    "relative_damping", "projected_damping",
+    "damping_ratio", "drag", "velocity", "spin",    "turn", "translation"};
+
+/// The keys of each kind of object besides the common ones, those needed first.
+struct KindKeys {
+  Keys required;
+  Keys optional;
+};
+
+const std::map<std::string, KindKeys>& kinds() {
+  static const std::map<std::string, KindKeys> all = {
+      {"chain", {{"nodes", "from", "to"}, {"taper", "angle_stiffness"}}},
+      {"grid",
+       {{"nodes", "spacing"},
+        {"origin", "across", "along", "shear_stiffness", "bend_stiffness", "dihedral_stiffness", "area_modulus"}}},
+      {"box", {{"cells", "size"}, {"centre", "bulk_modulus"}}},
+      {"shell", {{"mesh"}, {"scale"}}},
+      {"lattice", {{"mesh", "spacing"}, {"scale", "ties"}}},
+  };
+  return all;
+}
+
+void checkKeys(const TableReader& table, const std::string& kind) {
+  Keys known = commonKeys;
+  Keys required = {"kind", "k"};
+  const KindKeys& keys = kinds().at(kind);
+  known.insert(known.end(), keys.required.begin(), keys.required.end());
+  known.insert(known.end(), keys.optional.begin(), keys.optional.end());
+  required.insert(required.end(), keys.required.begin(), keys.required.end());
+  table.checkKeys(known, required);
+  table.oneKeyOf({"mass", "density"}, true);
+  table.oneKeyOf({"damping_ratio", "projected_damping"}, false);
+}
+
+SpringMaterial readMaterial(const TableReader& table) {
+  return {table.positive("k"), table.notNegative("relative_damping", 0.0), table.notNegative("projected_damping", 0.0)};
+}
+
+Part readChain(const TableReader& table, Model& model) {
+  ChainShape shape;
+  shape.n = table.integer("nodes", 2, mostAlong);
+  shape.from = table.vector("from");
+  shape.to = table.vector("to");
+  if (!((shape.to - shape.from).norm() > 0.0)) table.fail("to", "is the same point as 'from'");
+  shape.spring = readMaterial(table);
+  shape.angleStiffness = table.notNegative("angle_stiffness", 0.0);
+  return addChain(model, shape);
+}
+
+Part readGrid(const TableReader& table, Model& model) {
+  GridShape shape;
+  const std::vector<int> counts = table.integers("nodes", 2, 2, mostAlong);
+  shape.nu = counts[0];
+  shape.nv = counts[1];
+  shape.spacing = table.positive("spacing");
+  shape.origin = table.vector("origin", Vec3::Zero());
+  if (model.dimension == 2) {
+    shape.across = Vec3::Unit(model.plane[0]);
+    shape.along = Vec3::Unit(model.plane[1]);
+  }
+  if (table.has("across")) shape.across = table.direction("across");
+  if (table.has("along")) shape.along = table.direction("along");
+  shape.structural = readMaterial(table);
+  shape.shearStiffness = table.notNegative("shear_stiffness", 0.0);
+  shape.bendStiffness = table.notNegative("bend_stiffness", 0.0);
+  shape.dihedralStiffness = table.notNegative("dihedral_stiffness", 0.0);
+  shape.areaModulus = table.notNegative("area_modulus", 0.0);
+  return addGrid(model, shape);
+}
+
+Part readBox(const TableReader& table, Model& model) {
+  BoxShape shape;
+  const std::vector<int> cells = table.integers("cells", 3, 1, mostAlong);
+  shape.nx = cells[0];
+  shape.ny = cells[1];
+  shape.nz = cells[2];
+  shape.size = table.sizes("size", false);
+  shape.centre = table.vector("centre", Vec3::Zero());
+  shape.spring = readMaterial(table);
+  shape.bulkModulus = table.notNegative("bulk_modulus", 0.0);
+  return addBox(model, shape);
+}
+
+SurfaceMesh readMesh(const TableReader& table, const std::filesystem::path& folder) {
+  const std::string name = table.text("mesh");
+  const std::filesystem::path file = folder / name;  // an absolute name stays as it is
+  if (!std::filesystem::is_regular_file(file)) {
+    table.fail("mesh", fmt::format("no file '{}' beside the scene", name));
+  }
+  SurfaceMesh mesh = readMeshFile(file);
+  const double scale = table.positive("scale", 1.0);
+  for (Vec3& x : mesh.vertices) x *= scale;
+  return mesh;
+}
+
+Part readShell(const TableReader& table, Model& model, const std::filesystem::path& folder) {
+  return addShell(model, {readMesh(table, folder), readMaterial(table)});
+}
+
+Part readLattice(const TableReader& table, Model& model, const std::filesystem::path& folder) {
+  LatticeShape shape;
+  shape.mesh = readMesh(table, folder);
+  shape.spacing = table.positive("spacing");
+  if (table.has("ties")) shape.ties = table.integer("ties", 1, 100);
+  shape.spring = readMaterial(table);
+  return addLattice(model, shape);
+}
+
+Part generate(const TableReader& table, const std::string& kind, Model& model, const std::filesystem::path& folder) {
+  if (kind == "chain") return readChain(table, model);
+  if (kind == "grid") return readGrid(table, model);
+  if (kind == "box") return readBox(table, model);
+  return kind == "shell" ? readShell(table, model, folder) : readLattice(table, model, folder);
+}
+
+void readMass(const TableReader& table, Model& model, const Part& part) {
+  const double mass = table.has("mass") ? table.positive("mass") : table.positive("density") * part.measure;
+  if (!(mass > 0.0)) table.fail("density", "the surface encloses no volume; give 'mass', or turn its triangles round");
+  lumpMass(model, part, mass, table.positive("taper", 1.0));
+  if (table.has("damping_ratio")) setDampingRatio(model, part, table.notNegative("damping_ratio"));
+}
+
+template <class Use>
+void forNodes(Model& model, const Part& part, const Use& use) {
+  for (int i = 0; i < part.nodeCount; ++i) use(model.nodes[static_cast<std::size_t>(part.firstNode + i)]);
+}
+
+Vec3 centreOf(Model& model, const Part& part) {
+  Vec3 sum = Vec3::Zero();
+  double mass = 0.0;
+  forNodes(model, part, [&](const ModelNode& node) {
+    sum += node.m * node.x;
+    mass += node.m;
+  });
+  return sum / mass;
+}
+
+/// turn = [rx, ry, rz], degrees: about the centre of mass, first about x, then y, then z.
+void turn(const TableReader& table, Model& model, const Part& part) {
+  if (!table.has("turn")) return;
+  if (model.dimension != 3) table.fail("turn", "needs a scene of dimension 3");
+  const Vec3 angles = table.triple("turn") * std::numbers::pi / 180.0;
+  const Mat3 R = (Eigen::AngleAxisd(angles[2], Vec3::UnitZ()) * Eigen::AngleAxisd(angles[1], Vec3::UnitY()) *
+                  Eigen::AngleAxisd(angles[0], Vec3::UnitX()))
+                     .toRotationMatrix();
+  const Vec3 centre = centreOf(model, part);
+  forNodes(model, part, [&](ModelNode& node) { node.x = centre + R * (node.x - centre); });
+  for (ModelArea& area : model.areas) {
+    if (area.a >= part.firstNode) area.normal = R * area.normal;
+  }
+}
+
+void place(const TableReader& table, Model& model, const Part& part) {
+  turn(table, model, part);
+  const Vec3 translation = table.vector("translation", Vec3::Zero());
+  const Vec3 velocity = table.vector("velocity", Vec3::Zero());
+  if (table.has("spin") && model.dimension == 1) table.fail("spin", "needs a scene of dimension 2 or 3");
+  const Vec3 spin = table.has("spin") ? table.triple("spin") : Vec3::Zero();
+  const double drag = table.notNegative("drag", 0.0);
+  const Vec3 centre = centreOf(model, part);
+  forNodes(model, part, [&](ModelNode& node) {
+    node.v = velocity + spin.cross(node.x - centre);
+    node.x += translation;
+    node.drag = drag;
+  });
+}
+
+}  // namespace
+
+void readObject(const TableReader& table, Scene& scene, const std::filesystem::path& folder) {
+  Keys names;
+  for (const auto& [name, keys] : kinds()) names.push_back(name);
+  const std::string kind = table.choice("kind", names);
+  checkKeys(table, kind);
+  Part part;
+  try {
+    part = generate(table, kind, scene.model, folder);
+  } catch (const std::invalid_argument& error) {
+    table.failHere(error.what());
+  }
+  part.name = table.text("name", fmt::format("{}{}", kind, scene.parts.size() + 1));
+  if (std::ranges::find(scene.parts, part.name, &Part::name) != scene.parts.end()) {
+    table.fail("name", fmt::format("'{}' is already that of another object", part.name));
+  }
+  readMass(table, scene.model, part);
+  place(table, scene.model, part);
+  scene.parts.push_back(std::move(part));
+}
+
+}  // namespace muelle::engine

@@ -1,0 +1,244 @@
+#include "engine/scene/run_scene.h"
+
+#include "engine/integrators/catalogue.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace muelle::engine {
+
+namespace {
+
+constexpr std::size_t shownEvents = 6;
+constexpr std::size_t shownWarnings = 20;
+
+double positiveOption(const char* option, const char* unit, double value) {
+  if (value > 0.0 && std::isfinite(value)) return value;
+  throw std::invalid_argument(fmt::format("{} is {}{}; it must be positive and finite", option, value, unit));
+}
+
+/// An adaptive method takes its step by the tolerance, unless the scene has only a step for it.
+bool isFixed(const Scene& scene) { return !methodInfo(scene.method).adaptive || !scene.tolerance; }
+
+double norm(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum);
+}
+
+double relativeDifference(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> d(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) d[i] = a[i] - b[i];
+  const double scale = norm(b);
+  return scale > 0.0 ? norm(d) / scale : norm(d);
+}
+
+// --- lines of the summary ---
+
+/// 1,234,567
+std::string grouped(long long count) {
+  std::string digits = fmt::format("{}", count);
+  for (std::ptrdiff_t i = std::ssize(digits) - 3; i > 0; i -= 3) digits.insert(static_cast<std::size_t>(i), ",");
+  return digits;
+}
+
+std::string line(const char* name, const std::string& text) { return fmt::format("  {:<11} {}\n", name, text); }
+
+std::string stepLine(const Scene& scene, const SceneRun& run) {
+  const Work& work = run.result.work;
+  std::string text = isFixed(scene) ? fmt::format("h = {:.4g} s", run.options.h)
+                                    : fmt::format("chosen for a tolerance of {:.1g}", run.options.tolerance.relative);
+  text += fmt::format(", {} steps", grouped(work.steps));
+  if (work.rejectedSteps > 0) text += fmt::format(", {} rejected", grouped(work.rejectedSteps));
+  if (run.result.subdividedSteps > 0) {
+    text += fmt::format(", {} cut so that nothing passes through an obstacle", grouped(run.result.subdividedSteps));
+  }
+  if (run.result.smallestStep > 0.0) text += fmt::format(", smallest {:.2g} s", run.result.smallestStep);
+  return text;
+}
+
+std::string timeLine(const SceneRun& run) {
+  const double t = run.result.last.t;
+  const double wall = run.result.wallTime;
+  std::string text = fmt::format("{:.6g} s simulated in {:.3g} s", t, wall);
+  if (wall > 0.0) text += fmt::format(", {:.3g} times real time", t / wall);
+  return text;
+}
+
+std::string errorLine(const SceneRun& run) {
+  if (!run.error) return "not estimated";
+  const ErrorEstimate& estimate = *run.error;
+  const std::string cost = fmt::format("{}; {:.2g} s more", estimate.how, estimate.wallTime);
+  if (!estimate.failure.empty()) return fmt::format("no estimate: {} ({})", estimate.failure, cost);
+  return fmt::format("{:.2g} of the final positions, relative L2 ({})", estimate.error, cost);
+}
+
+std::string energyLine(const SceneRun& run) {
+  const std::vector<double>& E = run.result.trajectory.track("total energy");
+  if (E.empty()) return "not measured";
+  std::string text = fmt::format("{:.6g} J -> {:.6g} J", E.front(), E.back());
+  if (run.isConservative()) return text + fmt::format(", drift {:.2g}", run.energyDrift());
+  return text + ", not conserved: something takes or gives";
+}
+
+std::string workLine(const Work& work) {
+  std::string text = grouped(work.forceEvaluations) + " force evaluations";
+  const auto add = [&](long long count, const char* what) {
+    if (count > 0) text += fmt::format(", {} {}", grouped(count), what);
+  };
+  add(work.jacobians, "Jacobians");
+  add(work.factorisations, "factorisations");
+  add(work.solves, "solves");
+  add(work.newtonIterations, "Newton iterations");
+  add(work.events, "events");
+  return text;
+}
+
+std::string sizeLine(const Scene& scene, const SceneRun& run) {
+  const Model& model = scene.model;
+  std::string text =
+      fmt::format("{} nodes, {} springs", grouped(std::ssize(model.nodes)), grouped(std::ssize(model.springs)));
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count > 0) text += fmt::format(", {} {}", grouped(static_cast<long long>(count)), what);
+  };
+  add(model.angles.size(), "angles");
+  add(model.dihedrals.size(), "dihedrals");
+  add(model.areas.size(), "areas");
+  add(model.volumes.size(), "volumes");
+  add(model.properties.size(), "properties");
+  add(model.obstacles.size(), "obstacles");
+  return text + fmt::format(", {} unknowns", grouped(run.system->size()));
+}
+
+}  // namespace
+
+Scene applied(Scene scene, const RunOverrides& overrides) {
+  if (!overrides.method.empty()) {
+    std::string id = overrides.method;
+    std::ranges::replace(id, '-', '_');
+    scene.method = methodInfo(id).id;  // throws with the nearest known id
+  }
+  const bool adaptive = methodInfo(scene.method).adaptive;
+  if (overrides.step && overrides.tolerance) {
+    throw std::invalid_argument("--dt and --tolerance: give one, a fixed step or a tolerance that chooses it");
+  }
+  if (overrides.tolerance) {
+    if (!adaptive) {
+      throw std::invalid_argument(fmt::format("--tolerance: {} has no error estimate; give --dt", scene.method));
+    }
+    scene.tolerance = positiveOption("--tolerance", "", *overrides.tolerance);
+  } else if (overrides.step) {
+    scene.step = positiveOption("--dt", " s", *overrides.step);
+    scene.tolerance.reset();
+  } else if (adaptive && !overrides.method.empty() && !scene.tolerance) {
+    scene.tolerance = Tolerance{}.relative;  // the scene's step was meant for another method
+  }
+  if (!adaptive && !scene.step) {
+    throw std::invalid_argument(fmt::format("{} needs a step, and the scene has none: give --dt", scene.method));
+  }
+  if (overrides.duration) scene.duration = positiveOption("--duration", " s", *overrides.duration);
+  if (overrides.outputInterval) {
+    scene.outputInterval = positiveOption("--output-interval", " s", *overrides.outputInterval);
+  }
+  scene.locateEvents = scene.locateEvents && !overrides.noEvents;
+  scene.compensated = scene.compensated || overrides.compensated;
+  return scene;
+}
+
+RunOptions optionsOf(const Scene& scene) {
+  RunOptions options;
+  options.duration = scene.duration;
+  options.fixedStep = isFixed(scene);
+  // A step beside a tolerance is for methods without an error estimate; an adaptive one chooses its own first step.
+  options.h = options.fixedStep ? scene.step.value_or(0.0) : 0.0;
+  if (scene.tolerance) {
+    options.tolerance.relative = *scene.tolerance;
+    options.tolerance.absolute = *scene.tolerance * 1e-3;  // of a metre: the scenes are of that size
+  }
+  options.largestStep = scene.largestStep;
+  options.outputInterval = scene.outputInterval;
+  options.locateEvents = scene.locateEvents;
+  options.compensated = scene.compensated;
+  return options;
+}
+
+double SceneRun::energyDrift() const {
+  const std::vector<double>& E = result.trajectory.track("total energy");
+  const std::vector<double>& T = result.trajectory.track("kinetic energy");
+  if (E.empty()) return 0.0;
+  double scale = std::abs(E.front());
+  for (const double kinetic : T) scale = std::max(scale, kinetic);
+  double drift = 0.0;
+  for (const double energy : E) drift = std::max(drift, std::abs(energy - E.front()));
+  return scale > 0.0 ? drift / scale : 0.0;
+}
+
+bool SceneRun::isConservative() const { return system->potential() != nullptr && system->potential()->isComplete(); }
+
+SceneRun runScene(const Scene& scene, const std::string& label) {
+  SceneRun run;
+  run.system = build(scene.model);
+  const std::unique_ptr<Method> method = makeMethod(scene.method);
+  run.method = method->info();
+  run.options = optionsOf(scene);
+  run.options.label = label;
+  RunOptions options = run.options;
+  options.probes = probesOf(scene, *run.system);
+  run.result = simulate(*run.system, *method, run.system->initialState(), options);
+  return run;
+}
+
+ErrorEstimate estimateError(const Scene& scene, const SceneRun& run, const std::string& label) {
+  const std::unique_ptr<Method> method = makeMethod(scene.method);
+  ErrorEstimate estimate;
+  RunOptions options = run.options;
+  options.probes.clear();
+  options.keepStates = false;
+  options.checkStability = false;
+  options.checkNumericalDamping = false;
+  options.label = label;
+  if (options.fixedStep) {
+    options.h *= 0.5;
+    estimate.how = fmt::format("step halved, order {}", run.method.order);
+  } else {
+    options.tolerance.relative *= 0.1;
+    options.tolerance.absolute *= 0.1;
+    estimate.how = "a tenth of the tolerance";
+  }
+  const RunResult finer = simulate(*run.system, *method, run.system->initialState(), options);
+  estimate.wallTime = finer.wallTime;
+  if (run.result.failed() || finer.failed()) {
+    estimate.failure = run.result.failed() ? "the run did not reach its end" : "the finer run did not reach its end";
+    return estimate;
+  }
+  estimate.difference = relativeDifference(run.result.last.x, finer.last.x);
+  const double power = std::pow(2.0, run.method.order);
+  estimate.error = options.fixedStep ? estimate.difference * power / (power - 1.0) : estimate.difference;
+  return estimate;
+}
+
+std::string summaryOf(const Scene& scene, const SceneRun& run) {
+  const RunResult& result = run.result;
+  std::string text = fmt::format("{}: {}\n", scene.name, scene.title);
+  text += line("scene", sizeLine(scene, run));
+  text += line("method", fmt::format("{}, order {}", run.method.name, run.method.order));
+  text += line("step", stepLine(scene, run));
+  text += line("time", timeLine(run));
+  text += line("error", errorLine(run));
+  text += line("energy", energyLine(run));
+  text += line("work", workLine(result.work));
+  for (std::size_t i = 0; i < std::min(result.warnings.size(), shownWarnings); ++i) {
+    text += line("warning", result.warnings[i]);
+  }
+  for (std::size_t i = 0; i < std::min(result.events.size(), shownEvents); ++i) {
+    text += line(i == 0 ? "events" : "", fmt::format("{:.6g} s: {}", result.events[i].t, result.events[i].what));
+  }
+  if (result.work.events > static_cast<long long>(shownEvents)) {
+    text += line("", fmt::format("and {} more", grouped(result.work.events - static_cast<long long>(shownEvents))));
+  }
+  return text;
+}
+
+}  // namespace muelle::engine
