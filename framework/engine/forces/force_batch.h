@@ -76,6 +76,8 @@ class ForceBatch {
   virtual void addForceWithoutFriction(const Configuration& at, double* f) const { addForce(at, f); }
   /// Sets the mode of guard i to the far side of its zero.
   virtual void cross(int /*guard*/, const Configuration&, double* /*z*/) const {}
+  /// Whether a node could pass through an obstacle of this batch.
+  virtual bool isThin() const { return false; }
   /// The part of h in which nothing passes through an obstacle; `a` are accelerations of the free nodes' unknowns.
   virtual double sweptBound(const Configuration&, const double* /*a*/, double h) const { return h; }
 

@@ -1,3 +1,4 @@
+#include "engine/contact/contact.h"
 #include "engine/forces/gravity.h"
 #include "engine/forces/spring.h"
 #include "engine/model/mass_spring_system.h"
@@ -102,6 +103,45 @@ void addSprings(Builder& builder) {
   }
 }
 
+template <int D>
+Eigen::Matrix<double, D, 1> inScene(const Vec3& full, const std::vector<int>& axes) {
+  Eigen::Matrix<double, D, 1> own;
+  for (int c = 0; c < D; ++c) own[c] = full[axes[static_cast<std::size_t>(c)]];
+  return own;
+}
+
+template <int D>
+void addObstacles(Builder& builder) {
+  const std::vector<int>& axes = builder.numbering.axes;
+  const std::vector<int> users(builder.numbering.user.begin(),
+                               builder.numbering.user.begin() + builder.numbering.freeNodes);
+  for (const Obstacle& obstacle : builder.model.obstacles) {
+    const ContactMaterial& material = obstacle.material;
+    const double kTangential = material.kTangential > 0.0 ? material.kTangential : material.k;
+    ObstacleData<D> data{obstacle.name,
+                         inScene<D>(obstacle.centre, axes),
+                         inScene<D>(obstacle.velocity, axes),
+                         obstacle.stopTime,
+                         material.k,
+                         material.d,
+                         {material.mu, kTangential, material.dTangential}};
+    const auto add = [&]<class Shape>(Shape shape) {
+      builder.batches.push_back(std::make_unique<Contact<D, Shape>>(std::move(data), std::move(shape), users));
+    };
+    switch (obstacle.kind) {
+      case Obstacle::Kind::Plane:
+        add(Plane<D>{inScene<D>(obstacle.normal, axes).normalized()});
+        break;
+      case Obstacle::Kind::Sphere:
+        add(Sphere<D>{obstacle.radius});
+        break;
+      case Obstacle::Kind::Box:
+        add(Box<D>{inScene<D>(obstacle.halfSize, axes)});
+        break;
+    }
+  }
+}
+
 std::unique_ptr<NodeDrag> makeDrag(const Builder& builder) {
   std::vector<double> coefficients;
   for (int i = 0; i < builder.numbering.freeNodes; ++i) {
@@ -117,6 +157,7 @@ std::unique_ptr<ModelSystem> buildIn(const Model& model) {
   Builder builder{model, numbering};
   addGravity(builder);
   addSprings<D>(builder);
+  addObstacles<D>(builder);
   std::unique_ptr<NodeDrag> drag = makeDrag(builder);
   auto batches = std::move(builder.batches);
   return std::make_unique<MassSpringSystem>(model, std::move(numbering), std::move(batches), std::move(drag));

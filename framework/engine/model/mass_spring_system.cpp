@@ -237,27 +237,36 @@ bool MassSpringSystem::commit(State& state, bool frozen) const {
     changed = batch->commit(at, frozen, state.z.data()) || changed;
     balance = balance || batch->wantsBalance();
   }
-  if (balance) {
-    double* sum = second_.f.data();
-    std::fill(second_.f.begin(), second_.f.end(), 0.0);
-    for (const auto& batch : batches_) batch->addForceWithoutFriction(at, sum);
-    if (drag_) drag_->addForce(at, sum);
-    for (const auto& batch : batches_) changed = batch->balance(at, sum, state.z.data()) || changed;
-  }
+  if (balance) changed = balanceFriction(at, state) || changed;
+  return changed;
+}
+
+/// Second part of a commit: gives friction at rest what the other forces ask of it.
+bool MassSpringSystem::balanceFriction(const Configuration& at, State& state) const {
+  bool changed = false;
+  double* sum = second_.f.data();
+  std::fill(second_.f.begin(), second_.f.end(), 0.0);
+  for (const auto& batch : batches_) batch->addForceWithoutFriction(at, sum);
+  if (drag_) drag_->addForce(at, sum);
+  for (const auto& batch : batches_) changed = batch->balance(at, sum, state.z.data()) || changed;
   return changed;
 }
 
 void MassSpringSystem::cross(int guard, State& state) const {
   const Configuration at = gather(state.t, state.x, state.v, state.z, first_);
   for (const auto& batch : batches_) {
-    if (guard < batch->guardCount()) return batch->cross(guard, at, state.z.data());
+    if (guard < batch->guardCount()) {
+      batch->cross(guard, at, state.z.data());
+      if (batch->wantsBalance()) balanceFriction(at, state);
+      return;
+    }
     guard -= batch->guardCount();
   }
   throw std::out_of_range("no such guard");
 }
 
 double MassSpringSystem::sweptBound(double t, In x, In v, In z, double h) const {
-  if (guardCount_ == 0) return h;
+  if (std::none_of(batches_.begin(), batches_.end(), [](const auto& batch) { return batch->isThin(); })) return h;
   force(t, x, v, z, acceleration_);
   for (std::size_t i = 0; i < acceleration_.size(); ++i) acceleration_[i] /= mass_[i];
   const Configuration at = gather(t, x, v, z, first_);

@@ -87,6 +87,7 @@ class MassSpringSystem final : public ModelSystem,
   double* start(Out f) const;
   void finish(Out f) const;
   void bind() const;
+  bool balanceFriction(const Configuration& at, State& state) const;
   Vec3 component(const State& state, int node, bool velocity) const;
 
   Model model_;

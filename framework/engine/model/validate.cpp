@@ -212,6 +212,13 @@ void checkExternalForces(const Model& model) {
   }
 }
 
+void requireSomeFiniteSize(const Model& model, const std::string& item, const Vec3& halfSize) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (inScene(model, axis) && std::isfinite(halfSize[axis])) return;
+  }
+  reject(item, "is infinite along every axis of the scene");
+}
+
 void checkObstacles(const Model& model) {
   for (const Obstacle& obstacle : model.obstacles) {
     const std::string item = fmt::format("obstacle '{}'", obstacle.name);
@@ -238,6 +245,7 @@ void checkObstacles(const Model& model) {
         for (const double half : obstacle.halfSize) {
           if (!(half > 0.0)) reject(item, fmt::format("half size is {}; it must be positive", half));
         }
+        requireSomeFiniteSize(model, item, obstacle.halfSize);
         break;
     }
   }
