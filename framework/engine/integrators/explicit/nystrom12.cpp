@@ -11,6 +11,7 @@ MethodInfo describe() {
   info.name = "Runge-Kutta-Nystroem 12(10)";
   info.order = 12;
   info.stages = 17;
+  // Apart from an interval of 1.2e-7 about h omega = pi, where an oscillator grows by at most 5.7e-8 a step.
   info.imaginaryLimit = 8.326201053660949152;
   info.adaptive = true;
   info.conservesMomentum = true;

@@ -11,7 +11,7 @@ MethodInfo describe() {
   info.name = "Runge-Kutta-Nystroem 8(6)";
   info.order = 8;
   info.stages = 8;
-  info.imaginaryLimit = 3.2926823189046957244;
+  info.imaginaryLimit = 3.1402541625390064973;
   info.adaptive = true;
   info.conservesMomentum = true;
   info.needs.velocityFreeForce = true;

@@ -67,6 +67,11 @@ class RungeKuttaChebyshev2 : public Method {
 
   StepResult step(const System& system, const State& from, double h, State& to) override {
     provideStart(system, from);
+    if (const int at = firstNotFinite(start_); at >= 0) {
+      return {.done = false,
+              .error = 0.0,
+              .failure = fmt::format("the force on {} is not finite at t = {:g} s", system.unknownName(at), from.t)};
+    }
     const double spectralRadius = bound_.update(system, from, start_, work_);
     const double wanted = 1.0 + std::sqrt(1.54 * h * spectralRadius + 1.0);
     prepareResult(from, h, to);

@@ -48,6 +48,17 @@ class SymplecticEuler : public Method {
     return finiteOrFailure(system, from, to, 0.0);
   }
 
+  bool hasIncrements() const override { return true; }
+  StepResult stepIncrement(const System& system, const State& from, double h, State& increment) override {
+    StepResult result = step(system, from, h, increment);
+    const std::span<const double> m = system.mass();
+    for (std::size_t i = 0; i < force_.size(); ++i) {
+      increment.v[i] = h / m[i] * force_[i];
+      increment.x[i] = h * (from.v[i] + increment.v[i]);
+    }
+    return result;
+  }
+
  private:
   std::vector<double> force_;
 };

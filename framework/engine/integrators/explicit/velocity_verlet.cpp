@@ -48,47 +48,62 @@ class VelocityVerlet : public Method {
     kick_.prepare(system);
     factors_.forget();
     if (const Drag* drag = system.drag()) factors_.update(*drag, system.mass(), 0.0);
-    predicted_.resize(static_cast<std::size_t>(system.size()));
+    for (std::vector<double>* array : {&predicted_, &dx_, &dv_}) array->resize(system.mass().size());
   }
 
   StepResult step(const System& system, const State& from, double h, State& to) override {
-    kick_.start(system, from, work_);
-    prepareResult(from, h, to);
-    if (const Drag* drag = system.drag()) {
-      factors_.update(*drag, system.mass(), h);
-      advance(
-          system, from, h, to, [this](std::size_t i) { return factors_.decay(i); },
-          [this](std::size_t i) { return factors_.phi1(i); }, [this](std::size_t i) { return factors_.phi2(i); });
-    } else {
-      advance(
-          system, from, h, to, [](std::size_t) { return 1.0; }, [](std::size_t) { return 1.0; },
-          [](std::size_t) { return 0.5; });
-    }
+    advance(system, from, h, to);
+    for (std::size_t i = 0; i < predicted_.size(); ++i) to.v[i] = from.v[i] + dv_[i];
     kick_.finish(to);
     return finiteOrFailure(system, from, to, 0.0);
+  }
+
+  bool hasIncrements() const override { return true; }
+  StepResult stepIncrement(const System& system, const State& from, double h, State& increment) override {
+    StepResult result = step(system, from, h, increment);
+    increment.x = dx_;
+    increment.v = dv_;
+    return result;
   }
 
   void restart() override { kick_.restart(); }
   void accept() override { kick_.accept(); }
 
  private:
-  template <typename Decay, typename Phi1, typename Phi2>
-  void advance(const System& system, const State& from, double h, State& to, Decay decay, Phi1 phi1, Phi2 phi2) {
+  void advance(const System& system, const State& from, double h, State& to) {
+    kick_.start(system, from, work_);
+    prepareResult(from, h, to);
+    if (const Drag* drag = system.drag()) {
+      factors_.update(*drag, system.mass(), h);
+      advance(
+          system, from, h, to, [this](std::size_t i) { return factors_.loss(i); },
+          [this](std::size_t i) { return factors_.phi1(i); }, [this](std::size_t i) { return factors_.phi2(i); });
+    } else {
+      advance(
+          system, from, h, to, [](std::size_t) { return 0.0; }, [](std::size_t) { return 1.0; },
+          [](std::size_t) { return 0.5; });
+    }
+  }
+
+  /// The changes of x and v over the step, in dx_ and dv_.
+  template <typename Loss, typename Phi1, typename Phi2>
+  void advance(const System& system, const State& from, double h, State& to, Loss loss, Phi1 phi1, Phi2 phi2) {
     const std::size_t n = predicted_.size();
     const double* a = kick_.acceleration();
     for (std::size_t i = 0; i < n; ++i) {
-      to.x[i] = from.x[i] + h * (phi1(i) * from.v[i] + h * (phi2(i) * a[i]));
-      // In the velocity goes what depends on the first force, in predicted_ the velocity if the force stayed the same.
-      to.v[i] = decay(i) * from.v[i] + h * ((phi1(i) - phi2(i)) * a[i]);
-      predicted_[i] = to.v[i] + h * (phi2(i) * a[i]);
+      dx_[i] = h * (phi1(i) * from.v[i] + h * (phi2(i) * a[i]));
+      to.x[i] = from.x[i] + dx_[i];
+      // What the first force does to the velocity; predicted_: the velocity if the force stayed the same.
+      dv_[i] = loss(i) * from.v[i] + h * ((phi1(i) - phi2(i)) * a[i]);
+      predicted_[i] = from.v[i] + (dv_[i] + h * (phi2(i) * a[i]));
     }
     kick_.evaluate(system, to.t, to.x, predicted_, from.z, work_);
-    for (std::size_t i = 0; i < n; ++i) to.v[i] += h * (phi2(i) * a[i]);
+    for (std::size_t i = 0; i < n; ++i) dv_[i] += h * (phi2(i) * a[i]);
   }
 
   Kick kick_;
   DragFactors factors_;
-  std::vector<double> predicted_;
+  std::vector<double> predicted_, dx_, dv_;
 };
 
 }  // namespace

@@ -31,6 +31,15 @@ void Combination::addTo(In base, double scale, Out out) const {
   }
 }
 
+void Combination::assignTo(double scale, Out out) const {
+  std::array<double, blockSize> sum;
+  for (std::size_t begin = 0; begin < out.size(); begin += blockSize) {
+    const std::size_t count = std::min(blockSize, out.size() - begin);
+    block(begin, count, sum.data());
+    for (std::size_t i = 0; i < count; ++i) out[begin + i] = scale * sum[i];
+  }
+}
+
 double Combination::weightedSquares(double scale, In from, In to, const Tolerance& tolerance) const {
   std::array<double, blockSize> sum;
   double squares = 0.0;
@@ -53,18 +62,14 @@ void prepareResult(const State& from, double h, State& to) {
   to.t = from.t + h;
 }
 
-namespace {
-
-/// Index of the first entry that is not finite, or -1. The sum first: it vectorises, and nearly always suffices.
 int firstNotFinite(In values) {
+  // The sum first: it is one pass without a branch, and nearly always suffices.
   double zeros = 0.0;
   for (const double value : values) zeros += 0.0 * value;
   if (zeros == 0.0) return -1;
   const auto at = std::find_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
   return static_cast<int>(at - values.begin());
 }
-
-}  // namespace
 
 StepResult finiteOrFailure(const System& system, const State& from, const State& to, double error) {
   const int position = firstNotFinite(to.x);

@@ -16,6 +16,8 @@ class Combination {
   void add(double weight, const double* k);
   /// out = base + scale * sum, in one pass over all arrays. `out` may be `base`.
   void addTo(In base, double scale, Out out) const;
+  /// out = scale * sum.
+  void assignTo(double scale, Out out) const;
   /// Sum over i of ((scale * sum)_i / (relative * max(|from_i|, |to_i|) + absolute))^2.
   double weightedSquares(double scale, In from, In to, const Tolerance& tolerance) const;
 
@@ -34,6 +36,9 @@ class Combination {
 
 /// Sets the sizes, z and time of the result of a step of h.
 void prepareResult(const State& from, double h, State& to);
+
+/// Index of the first entry that is not finite, or -1.
+int firstNotFinite(In values);
 
 /// Failure when a position or a velocity of `to` is not finite; otherwise a result with the error given.
 StepResult finiteOrFailure(const System& system, const State& from, const State& to, double error);

@@ -2,6 +2,7 @@
 
 #include "engine/integrators/explicit/engines/combination.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace muelle::engine {
@@ -11,28 +12,41 @@ Composition::Composition(MethodInfo info, const Coefficients& fractions)
 
 void Composition::prepare(const System& system, const Tolerance&) {
   kick_.prepare(system);
-  predicted_.resize(static_cast<std::size_t>(system.size()));
+  for (std::vector<double>* array : {&predicted_, &dx_, &dv_}) array->resize(system.mass().size());
   for (DragFactors& factors : factors_) {
     factors.forget();
     if (const Drag* drag = system.drag()) factors.update(*drag, system.mass(), 0.0);
   }
 }
 
-void Composition::kickAndDrift(const System& system, double kick, double h, DragFactors& factors, State& to) {
+void Composition::kick(const State& from, double h, State& to) {
   const double* a = kick_.acceleration();
-  const std::size_t n = to.x.size();
-  const Drag* drag = system.drag();
-  if (drag == nullptr) {
-    for (std::size_t i = 0; i < n; ++i) {
-      to.v[i] += kick * a[i];
-      to.x[i] += h * to.v[i];
-    }
-  } else {
+  for (std::size_t i = 0; i < dv_.size(); ++i) {
+    dv_[i] += h * a[i];
+    to.v[i] = from.v[i] + dv_[i];
+  }
+}
+
+void Composition::kickAndDrift(const System& system, const State& from, double kick, double h, DragFactors& factors,
+                               State& to) {
+  const double* a = kick_.acceleration();
+  const std::size_t n = dx_.size();
+  if (const Drag* drag = system.drag()) {
     factors.update(*drag, system.mass(), h);
     for (std::size_t i = 0; i < n; ++i) {
-      const double v = to.v[i] + kick * a[i];
-      to.x[i] += h * (factors.phi1(i) * v);
-      to.v[i] = factors.decay(i) * v;
+      dv_[i] += kick * a[i];
+      const double v = from.v[i] + dv_[i];
+      dx_[i] += h * (factors.phi1(i) * v);
+      dv_[i] += factors.loss(i) * v;
+      to.x[i] = from.x[i] + dx_[i];
+      to.v[i] = from.v[i] + dv_[i];
+    }
+  } else {
+    for (std::size_t i = 0; i < n; ++i) {
+      dv_[i] += kick * a[i];
+      to.v[i] = from.v[i] + dv_[i];
+      dx_[i] += h * to.v[i];
+      to.x[i] = from.x[i] + dx_[i];
     }
   }
   if (!kick_.usesVelocity()) return;
@@ -42,25 +56,41 @@ void Composition::kickAndDrift(const System& system, double kick, double h, Drag
 StepResult Composition::step(const System& system, const State& from, double h, State& to) {
   kick_.start(system, from, work_);
   prepareResult(from, h, to);
-  to.x = from.x;
-  to.v = from.v;
+  std::fill(dx_.begin(), dx_.end(), 0.0);
+  std::fill(dv_.begin(), dv_.end(), 0.0);
+  const std::size_t substeps = fractions_.size();
   double t = from.t;
   double pending = 0.0;  // end of the substep before: one pass does both kicks of a velocity-free force
-  for (std::size_t j = 0; j < fractions_.size(); ++j) {
+  for (std::size_t j = 0; j < substeps; ++j) {
     const double part = fractions_[j] * h;
-    kickAndDrift(system, pending + 0.5 * part, part, factors_[std::min(j, fractions_.size() - 1 - j)], to);
+    kickAndDrift(system, from, pending + 0.5 * part, part, factors_[std::min(j, substeps - 1 - j)], to);
     t += part;
     kick_.evaluate(system, t, to.x, kick_.usesVelocity() ? In(predicted_) : In(to.v), from.z, work_);
     pending = 0.5 * part;
-    if (kick_.usesVelocity()) {
-      for (std::size_t i = 0; i < to.v.size(); ++i) to.v[i] += pending * kick_.acceleration()[i];
+    if (kick_.usesVelocity() && j + 1 < substeps) {
+      kick(from, pending, to);
       pending = 0.0;
-      if (j + 1 < fractions_.size()) kick_.evaluate(system, t, to.x, to.v, from.z, work_);
+      kick_.evaluate(system, t, to.x, to.v, from.z, work_);
     }
   }
-  for (std::size_t i = 0; i < to.v.size(); ++i) to.v[i] += pending * kick_.acceleration()[i];
+  kick(from, pending, to);
   kick_.finish(to);
   return finiteOrFailure(system, from, to, 0.0);
+}
+
+StepResult Composition::stepIncrement(const System& system, const State& from, double h, State& increment) {
+  StepResult result = step(system, from, h, increment);
+  increment.x = dx_;
+  increment.v = dv_;
+  return result;
+}
+
+void Composition::interpolate(const System& system, const State& from, const State& to, double theta, State& out) {
+  if (info_.order <= 4) return Method::interpolate(system, from, to, theta, out);
+  Kick kept = kick_;  // the force at the end of the step, which the next may begin with
+  kick_.restart();
+  step(system, from, theta * (to.t - from.t), out);
+  kick_ = std::move(kept);
 }
 
 }  // namespace muelle::engine

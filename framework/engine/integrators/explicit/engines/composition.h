@@ -21,18 +21,24 @@ class Composition : public Method {
   const MethodInfo& info() const override { return info_; }
   void prepare(const System& system, const Tolerance& tolerance) override;
   StepResult step(const System& system, const State& from, double h, State& to) override;
+  bool hasIncrements() const override { return true; }
+  StepResult stepIncrement(const System& system, const State& from, double h, State& increment) override;
+  /// Above order 4 by a shorter step: the Hermite interpolant would be the largest error.
+  void interpolate(const System& system, const State& from, const State& to, double theta, State& out) override;
   void restart() override { kick_.restart(); }
   void accept() override { kick_.accept(); }
 
  private:
-  /// v += kick a, then the drift of h; leaves the velocity predicted for the end of the substep.
-  void kickAndDrift(const System& system, double kick, double h, DragFactors& factors, State& to);
+  /// dv += kick a, then the drift of h; leaves the velocity predicted for the end of the substep.
+  void kickAndDrift(const System& system, const State& from, double kick, double h, DragFactors& factors, State& to);
+  void kick(const State& from, double h, State& to);
 
   MethodInfo info_;
   std::vector<double> fractions_;
   Kick kick_;
   std::vector<DragFactors> factors_;  // of each substep: the fractions differ, so their factors do
   std::vector<double> predicted_;
+  std::vector<double> dx_, dv_;  // change since the start: each substep's is rounded to its own size
 };
 
 }  // namespace muelle::engine

@@ -13,7 +13,8 @@ void DragFactors::update(const Drag& drag, std::span<const double> mass, double 
     const double c = h * d[i] / mass[i];
     Factors& f = factors_[i];
     f.decay = std::exp(-c);
-    f.phi1 = c == 0.0 ? 1.0 : -std::expm1(-c) / c;
+    f.loss = std::expm1(-c);
+    f.phi1 = c == 0.0 ? 1.0 : -f.loss / c;
     // (1 - phi1)/c cancels for small c: its series, whose first term left out is below round-off at the switch.
     f.phi2 =
         std::abs(c) < 0.05

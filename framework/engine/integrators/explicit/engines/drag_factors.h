@@ -13,13 +13,15 @@ class DragFactors {
   void update(const Drag& drag, std::span<const double> mass, double h);
   void forget() { h_ = 0.0; }
 
+  /// decay - 1, without cancellation.
+  double loss(std::size_t i) const { return factors_[i].loss; }
   double decay(std::size_t i) const { return factors_[i].decay; }
   double phi1(std::size_t i) const { return factors_[i].phi1; }
   double phi2(std::size_t i) const { return factors_[i].phi2; }
 
  private:
   struct Factors {
-    double decay, phi1, phi2;
+    double decay, loss, phi1, phi2;
   };
   double h_ = 0.0;
   std::vector<Factors> factors_;

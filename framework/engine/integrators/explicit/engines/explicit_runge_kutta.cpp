@@ -71,6 +71,18 @@ StepResult ExplicitRungeKutta::step(const System& system, const State& from, dou
   return finiteOrFailure(system, from, to, error(from, to, h));
 }
 
+StepResult ExplicitRungeKutta::stepIncrement(const System& system, const State& from, double h, State& increment) {
+  StepResult result = step(system, from, h, increment);
+  Combination positions, velocities;
+  for (std::size_t j = 0; j < stages(); ++j) {
+    positions.add(b_[j], slopes_[j]);
+    velocities.add(b_[j], slopes_[j] + size_);
+  }
+  positions.assignTo(h, increment.x);
+  velocities.assignTo(h, increment.v);
+  return result;
+}
+
 void ExplicitRungeKutta::ensureEndSlope(const System& system, const State& from, const State& to) {
   if (endKnown_) return;
   std::copy(to.v.begin(), to.v.end(), velocity(endSlope()).begin());

@@ -89,6 +89,19 @@ StepResult Nystrom::step(const System& system, const State& from, double h, Stat
   return finiteOrFailure(system, from, to, error(from, to, h));
 }
 
+StepResult Nystrom::stepIncrement(const System& system, const State& from, double h, State& increment) {
+  StepResult result = step(system, from, h, increment);
+  Combination positions, velocities;
+  positions.add(1.0, from.v.data());
+  for (std::size_t j = 0; j < stages(); ++j) {
+    positions.add(h * b_[j], accelerations_[j]);
+    velocities.add(bv_[j], accelerations_[j]);
+  }
+  positions.assignTo(h, increment.x);
+  velocities.assignTo(h, increment.v);
+  return result;
+}
+
 void Nystrom::interpolate(const System& system, const State& from, const State& to, double theta, State& out) {
   // The first acceleration and the last, which the next step may begin with, are kept.
   provideFirst(system, from);

@@ -16,6 +16,8 @@ class Nystrom : public Method {
   const MethodInfo& info() const override { return info_; }
   void prepare(const System& system, const Tolerance& tolerance) override;
   StepResult step(const System& system, const State& from, double h, State& to) override;
+  bool hasIncrements() const override { return true; }
+  StepResult stepIncrement(const System& system, const State& from, double h, State& increment) override;
   void interpolate(const System& system, const State& from, const State& to, double theta, State& out) override;
   void restart() override;
   void accept() override { accepted_ = true; }
