@@ -1,6 +1,13 @@
 #include "engine/contact/contact.h"
+#include "engine/forces/angle.h"
+#include "engine/forces/area.h"
+#include "engine/forces/cross_matrix.h"
+#include "engine/forces/dihedral.h"
+#include "engine/forces/external_force.h"
 #include "engine/forces/gravity.h"
+#include "engine/forces/property.h"
 #include "engine/forces/spring.h"
+#include "engine/forces/volume.h"
 #include "engine/model/mass_spring_system.h"
 #include "engine/model/numbering.h"
 #include "engine/model/validate.h"
@@ -110,6 +117,93 @@ Eigen::Matrix<double, D, 1> inScene(const Vec3& full, const std::vector<int>& ax
   return own;
 }
 
+template <int D, class Element>
+void addElements(Builder& builder, std::vector<Element> elements) {
+  if (elements.empty()) return;
+  builder.batches.push_back(std::make_unique<ElementBatch<D, Element>>(std::move(elements)));
+}
+
+template <int D>
+void addPlaneElements(Builder& builder) {
+  std::vector<Angle<D>> angles;
+  for (const ModelAngle& e : builder.model.angles) {
+    if (!builder.anyFree({e.a, e.b, e.c})) continue;
+    angles.push_back({{builder.built(e.a), builder.built(e.b), builder.built(e.c)}, e.k, e.theta0});
+  }
+  addElements<D>(builder, std::move(angles));
+  std::vector<Area<D>> areas;
+  for (const ModelArea& e : builder.model.areas) {
+    if (!builder.anyFree({e.a, e.b, e.c})) continue;
+    Eigen::Matrix<double, D, D> turn;
+    if constexpr (D == 2) {
+      turn << 0.0, 1.0, -1.0, 0.0;
+    } else {
+      // u . S w = normal . (u x w) = u . (w x normal)
+      turn = -crossMatrix(e.normal.normalized());
+    }
+    areas.push_back({{builder.built(e.a), builder.built(e.b), builder.built(e.c)}, e.k, e.A0, turn});
+  }
+  addElements<D>(builder, std::move(areas));
+}
+
+void addSpaceElements(Builder& builder) {
+  const auto nodesOf = [&](const auto& e) {
+    return std::array{builder.built(e.a), builder.built(e.b), builder.built(e.c), builder.built(e.d)};
+  };
+  std::vector<Dihedral> dihedrals;
+  for (const ModelDihedral& e : builder.model.dihedrals) {
+    if (builder.anyFree({e.a, e.b, e.c, e.d})) dihedrals.push_back({nodesOf(e), e.k, e.theta0});
+  }
+  addElements<3>(builder, std::move(dihedrals));
+  std::vector<Volume> volumes;
+  for (const ModelVolume& e : builder.model.volumes) {
+    if (builder.anyFree({e.a, e.b, e.c, e.d})) volumes.push_back({nodesOf(e), e.k, e.V0});
+  }
+  addElements<3>(builder, std::move(volumes));
+}
+
+void addProperties(Builder& builder) {
+  const std::vector<int>& axes = builder.numbering.axes;
+  const int dimension = static_cast<int>(axes.size());
+  for (std::size_t p = 0; p < builder.model.properties.size(); ++p) {
+    const ModelProperty& property = builder.model.properties[p];
+    std::vector<Property::Entry> entries, merged;
+    for (std::size_t i = 0; i < property.nodes.size(); ++i) {
+      for (int c = 0; c < dimension; ++c) {
+        const double weight = property.weights[i][axes[static_cast<std::size_t>(c)]];
+        if (weight != 0.0) entries.push_back({dimension * builder.built(property.nodes[i]) + c, weight});
+      }
+    }
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const auto& a, const auto& b) { return a.coordinate < b.coordinate; });
+    for (const Property::Entry& entry : entries) {
+      if (!merged.empty() && merged.back().coordinate == entry.coordinate) {
+        merged.back().weight += entry.weight;
+      } else {
+        merged.push_back(entry);
+      }
+    }
+    builder.batches.push_back(std::make_unique<Property>(std::move(merged), property.k, property.p0,
+                                                         dimension * builder.numbering.freeNodes, static_cast<int>(p)));
+  }
+}
+
+template <int D>
+void addExternalForces(Builder& builder) {
+  std::vector<typename ExternalForce<D>::Item> items;
+  for (const ModelExternalForce& external : builder.model.externalForces) {
+    std::vector<int> nodes;
+    for (const int user : external.nodes) {
+      if (builder.built(user) < builder.numbering.freeNodes) nodes.push_back(builder.built(user));
+    }
+    const auto force = [full = external.force, axes = builder.numbering.axes](double t, int segment) {
+      return inScene<D>(full(t, segment), axes);
+    };
+    items.push_back({std::move(nodes), force, external.times});
+  }
+  if (!items.empty()) builder.batches.push_back(std::make_unique<ExternalForce<D>>(std::move(items)));
+}
+
 template <int D>
 void addObstacles(Builder& builder) {
   const std::vector<int>& axes = builder.numbering.axes;
@@ -157,6 +251,10 @@ std::unique_ptr<ModelSystem> buildIn(const Model& model) {
   Builder builder{model, numbering};
   addGravity(builder);
   addSprings<D>(builder);
+  if constexpr (D > 1) addPlaneElements<D>(builder);
+  if constexpr (D == 3) addSpaceElements(builder);
+  addProperties(builder);
+  addExternalForces<D>(builder);
   addObstacles<D>(builder);
   std::unique_ptr<NodeDrag> drag = makeDrag(builder);
   auto batches = std::move(builder.batches);

@@ -100,9 +100,10 @@ void MassSpringSystem::forceWithoutDrag(double t, In x, In v, In z, Out f) const
   finish(f);
 }
 
-bool MassSpringSystem::forceUsesVelocity() const {
-  return drag_ ||
-         std::any_of(batches_.begin(), batches_.end(), [](const auto& batch) { return batch->usesVelocity(); });
+bool MassSpringSystem::forceUsesVelocity() const { return drag_ != nullptr || remainderUsesVelocity(); }
+
+bool MassSpringSystem::remainderUsesVelocity() const {
+  return std::any_of(batches_.begin(), batches_.end(), [](const auto& batch) { return batch->usesVelocity(); });
 }
 
 std::string MassSpringSystem::unknownName(int i) const {

@@ -62,6 +62,7 @@ class MassSpringSystem final : public ModelSystem,
   // Drag
   std::span<const double> coefficients() const override { return drag_->coefficients(); }
   void forceWithoutDrag(double t, In x, In v, In z, Out f) const override;
+  bool remainderUsesVelocity() const override;
   // Linearisation
   void assemble(double cM, double cD, double cK, double t, In x, In v, In z, Form form, SystemMatrix& J) const override;
   // Constraints

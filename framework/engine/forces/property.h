@@ -1,0 +1,42 @@
+#pragma once
+#include "engine/forces/force_batch.h"
+
+namespace muelle::engine {
+
+/// Energy of a property of many nodes (slide "Fuerzas y Energias"): E = k (p - p0)^2 / 2 with p = sum_i w_i x_i over
+/// coordinates, such as the mean height. F_i = -k (p - p0) w_i; the Hessian k w w^T has rank 1 and is never formed.
+/// p is one sum in the order of the coordinates, so its last bit is the same in every run.
+class Property final : public ForceBatch {
+ public:
+  struct Entry {
+    int coordinate = 0;  ///< of all nodes' coordinates in the built numbering
+    double weight = 0.0;
+  };
+
+  /// \param entries ascending, each coordinate once   \param freeSize coordinates below are unknowns
+  /// \param userIndex for messages
+  Property(std::vector<Entry> entries, double k, double p0, int freeSize, int userIndex);
+
+  void addForce(const Configuration& at, double* f) const override;
+  double energy(const Configuration& at) const override;
+  void addDiscreteGradientForce(const Configuration& a, const Configuration& b, double* f) const override;
+  int lowRankColumns() const override { return 1; }
+  void writeLowRank(double cK, Eigen::Ref<Eigen::MatrixXd> U, Eigen::Ref<Eigen::VectorXd> s) const override;
+  /// One constraint when it has no more unknowns than a Constraint has room for, else left out.
+  int constraintCount() const override { return fits() ? 1 : 0; }
+  bool evaluateConstraint(int j, const Configuration& at, int freeSize, Constraint& out) const override;
+  void addExternalForce(const Configuration&, double*) const override {}
+  std::string leftOut() const override;
+
+ private:
+  double value(const double* x) const;
+  void addWeights(double factor, double* f) const;
+  bool fits() const { return freeEntries_ <= static_cast<int>(Constraint{}.unknown.size()); }
+
+  std::vector<Entry> entries_;
+  double k_, p0_;
+  int freeEntries_ = 0;
+  int userIndex_;
+};
+
+}  // namespace muelle::engine
