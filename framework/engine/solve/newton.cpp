@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/QR>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 namespace muelle::engine {
 
@@ -98,9 +100,52 @@ bool Newton::direction(std::string& failure) {
   return failure.empty();
 }
 
+/// step_ = -R'^-1 R by GMRES with the last factorisation on the right, R' by differences; to a hundredth, which is
+/// enough for the next point.
+bool Newton::krylovDirection() {
+  constexpr int most = 40;
+  const Eigen::Index n = here_.R.size();
+  std::vector<Vector> basis, steps;
+  Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(most + 1, most);
+  Vector right = Vector::Zero(most + 1);
+  right[0] = here_.R.norm();
+  basis.push_back(-here_.R / right[0]);
+  const double way = std::sqrt(eps) * std::max(here_.X.lpNorm<Eigen::Infinity>(), 1e-300) / stage_->alpha;
+  int used = 0;
+  Vector coefficients;
+  for (int j = 0; j < most && j < n; ++j) {
+    const auto row = static_cast<std::size_t>(j);
+    Vector step(n);
+    ++work_->solves;
+    if (!solver_.solve(basis[row], step).empty()) break;
+    const double difference = way / step.lpNorm<Eigen::Infinity>();
+    evaluate(here_.w + difference * step, trial_);
+    if (!trial_.finite) break;
+    Vector image = (trial_.R - here_.R) / difference;
+    steps.push_back(step);
+    for (int i = 0; i <= j; ++i) {
+      hessenberg(i, j) = image.dot(basis[static_cast<std::size_t>(i)]);
+      image -= hessenberg(i, j) * basis[static_cast<std::size_t>(i)];
+    }
+    hessenberg(j + 1, j) = image.norm();
+    used = j + 1;
+    const auto part = hessenberg.topLeftCorner(used + 1, used);
+    coefficients = part.colPivHouseholderQr().solve(right.head(used + 1));
+    if ((part * coefficients - right.head(used + 1)).norm() <= 1e-2 * right[0]) break;
+    if (!(hessenberg(j + 1, j) > 0.0)) break;
+    basis.push_back(image / hessenberg(j + 1, j));
+  }
+  if (used == 0) return false;
+  step_.setZero();
+  for (int j = 0; j < used; ++j) step_ += coefficients[j] * steps[static_cast<std::size_t>(j)];
+  return step_.allFinite();
+}
+
 void Newton::updateFloor() {
   multiplyAbsolute(J_, here_.X, absolute_);
   floor_ = (eps / stage_->alpha) * absolute_;
+  multiplyAbsolute(J_, here_.V, absolute_);
+  floor_ += (eps / stage_->beta) * absolute_;
 }
 
 /// Steps along step_ until the incremental potential falls enough (Armijo); `slope` is R . step_.
@@ -222,6 +267,10 @@ NewtonReport Newton::solve(const System& system, const ImplicitStage& stage, con
     Search search = Search::Failed;
     if (!potential) {
       search = searchResidual();
+      const bool poor = search == Search::Failed || trial_.size > 0.3 * before;
+      if (stage.force && poor && !atFloor(here_, 64.0)) {
+        if (krylovDirection()) search = searchResidual();
+      }
     } else {
       search = searchEnergy(slope);
       if (search == Search::Failed && form == Form::Symmetric) {

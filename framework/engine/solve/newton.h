@@ -20,7 +20,8 @@ struct ImplicitStage {
   Eigen::VectorXd X0, V0;                     ///< [m], [m/s]
   Eigen::VectorXd g;                          ///< [N s]; empty: zero
   In z;
-  /// Replaces F when set (a discrete gradient); the Jacobian at (t, X, V) is then an approximation.
+  /// Replaces F when set (a discrete gradient); the Jacobian at (t, X, V) is then an approximation: where it does not
+  /// suffice, it becomes the preconditioner of GMRES on differences of the residual (Knoll, Keyes 2004).
   std::function<void(const Eigen::VectorXd& w, const Eigen::VectorXd& X, const Eigen::VectorXd& V, Eigen::VectorXd& F)>
       force;
   int forceCost = 1;  ///< force evaluations that `force` is worth
@@ -54,7 +55,8 @@ struct NewtonReport {
 /// is used throughout and the search follows the residual.
 ///
 /// It stops by the true residual, never by a step or a projected matrix. Where round-off keeps the residual above the
-/// tolerance (|J| |X| eps / alpha, what the last bits of the positions do) the stage counts as solved at that floor.
+/// tolerance (|J| (|X| / alpha + |V| / beta) eps, what the last bits of the state do) the stage counts as solved at
+/// that floor.
 class Newton {
  public:
   /// Allocates for the system; throws std::invalid_argument when it has no linearisation.
@@ -82,6 +84,7 @@ class Newton {
   bool atFloor(const Point& point, double factor) const;
   bool factorise(Form form, Factorisation& found);
   bool direction(std::string& failure);
+  bool krylovDirection();
   Search searchEnergy(double slope);
   Search searchResidual();
   void updateFloor();

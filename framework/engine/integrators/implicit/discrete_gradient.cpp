@@ -1,6 +1,8 @@
 #include "engine/integrators/implicit/implicit_method.h"
 #include "engine/integrators/implicit/methods.h"
 
+#include <utility>
+
 namespace muelle::engine {
 
 namespace {
@@ -15,8 +17,8 @@ MethodInfo facts() {
   info.source = "Gonzalez: Time Integration and Discrete Hamiltonian Systems, 1996; Greenspan 1984 for springs";
   info.remark =
       "Energy to round-off at every step, by construction: damped scenes lose exactly what the damper takes. Phases "
-      "are those of implicit midpoint, fast modes ring (|R| -> 1). The iteration contracts only while h^2 |K'| |h v| "
-      "is small beside M + h^2 K / 4. R(z) = (1 + z/2) / (1 - z/2).";
+      "are those of implicit midpoint, fast modes ring (|R| -> 1). Large steps on stiff scenes may have no solution "
+      "that the iteration finds. R(z) = (1 + z/2) / (1 - z/2).";
   return info;
 }
 
@@ -52,7 +54,16 @@ class DiscreteGradient final : public ImplicitMethod {
     NewtonOptions options;
     options.tolerance = tolerance_;
     options.simplified = true;
+    options.mostIterations = 60;
     StepResult result = solveStage(system, options, h);
+    if (!result.done) {
+      // The midpoint rule's search on the energy comes near where this one does not.
+      auto force = std::exchange(stage_.force, nullptr);
+      w_.setZero();
+      result = solveStage(system, options, h);
+      stage_.force = std::move(force);
+      if (result.done) result = solveStage(system, options, h);
+    }
     stage_.force = nullptr;
     if (!result.done) return result;
     end(from, h, w_, to);

@@ -22,6 +22,7 @@ void PositionMethod::prepare(const System& system, const Tolerance&) {
         fmt::format("{} takes springs only; this system has constraints that are no distances", info_.id));
   }
   external_.assign(static_cast<std::size_t>(system.size()), 0.0);
+  mass_ = external_;
   restart();
 }
 
@@ -32,13 +33,8 @@ void PositionMethod::accelerate(const System& system, double t, double h, State&
   const std::span<const double> drag =
       system.drag() != nullptr ? system.drag()->coefficients() : std::span<const double>{};
   for (std::size_t i = 0; i < state.v.size(); ++i) {
-    const double rate = drag.empty() ? 0.0 : drag[i] / mass[i];
-    if (rate == 0.0) {
-      state.v[i] += h * external_[i] / mass[i];
-    } else {
-      const double constant = external_[i] + drag[i] * state.v[i];
-      state.v[i] += std::expm1(-rate * h) * (state.v[i] - constant / drag[i]);
-    }
+    mass_[i] = mass[i] + (drag.empty() ? 0.0 : h * drag[i]);
+    state.v[i] += h * external_[i] / mass_[i];
   }
 }
 

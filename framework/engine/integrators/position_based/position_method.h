@@ -16,13 +16,14 @@ class PositionMethod : public Method {
   void prepare(const System& system, const Tolerance& tolerance) override;
 
  protected:
-  /// Advances v by the external forces over h: node drag exactly, all others as constant.
+  /// Advances v by the external forces over h: node drag -d v as backward Euler does, all others as constant. Sets
+  /// mass_ to m + h d, the mass that the other forces of the step then see.
   void accelerate(const System& system, double t, double h, State& state);
   /// Sets the time and checks that x and v are finite.
   StepResult finish(const State& from, double h, State& to) const;
 
   MethodInfo info_;
-  std::vector<double> external_;
+  std::vector<double> external_, mass_;
 };
 
 }  // namespace muelle::engine

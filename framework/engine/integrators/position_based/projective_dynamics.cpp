@@ -59,8 +59,7 @@ class ProjectiveDynamics final : public PositionMethod {
     accelerate(system, from.t, h, to);
     for (std::size_t i = 0; i < to.x.size(); ++i) to.x[i] += h * to.v[i];
     inertial_ = Eigen::Map<const Vector>(to.x.data(), inertial_.size());
-    const std::span<const double> mass = system.mass();
-    const Eigen::Map<const Vector> m(mass.data(), inertial_.size());
+    const Eigen::Map<const Vector> m(mass_.data(), inertial_.size());
     Eigen::Map<Vector> x(to.x.data(), inertial_.size());
     for (int i = 0; i < iterations_; ++i) {
       residual_ = m.cwiseProduct(x - inertial_) / (h * h);
@@ -108,8 +107,7 @@ class ProjectiveDynamics final : public PositionMethod {
     const Constraints& constraints = *system.constraints();
     const int dimension = system.dimension();
     std::vector<Eigen::Triplet<double>> entries;
-    const std::span<const double> mass = system.mass();
-    for (int i = 0; i < system.size(); ++i) entries.emplace_back(i, i, mass[static_cast<std::size_t>(i)] / (h * h));
+    for (int i = 0; i < system.size(); ++i) entries.emplace_back(i, i, mass_[static_cast<std::size_t>(i)] / (h * h));
     for (int j = 0; j < constraints.count(); ++j) {
       if (!constraints.evaluate(j, t, state.x, state.z, constraint_)) continue;
       const Constraint& c = constraint_;

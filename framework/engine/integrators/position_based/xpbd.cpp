@@ -54,21 +54,20 @@ class Xpbd final : public PositionMethod {
   void substep(const System& system, double t, double h, State& state) {
     accelerate(system, t, h, state);
     before_ = state.x;
-    const std::span<const double> mass = system.mass();
     for (std::size_t i = 0; i < state.x.size(); ++i) state.x[i] += h * state.v[i];
     const Constraints& constraints = *system.constraints();
     for (int j = 0; j < constraints.count(); ++j) {
-      if (constraints.evaluate(j, t + h, state.x, state.z, constraint_)) project(mass, h, state.x);
+      if (constraints.evaluate(j, t + h, state.x, state.z, constraint_)) project(h, state.x);
     }
     for (std::size_t i = 0; i < state.x.size(); ++i) state.v[i] = (state.x[i] - before_[i]) / h;
   }
 
-  void project(std::span<const double> mass, double h, std::vector<double>& x) const {
+  void project(double h, std::vector<double>& x) const {
     const Constraint& c = constraint_;
     double w = 0.0, moved = 0.0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
       const auto u = static_cast<std::size_t>(c.unknown[i]);
-      w += c.gradient[i] * c.gradient[i] / mass[u];
+      w += c.gradient[i] * c.gradient[i] / mass_[u];
       moved += c.gradient[i] * (x[u] - before_[u]);
     }
     double multiplier = 0.0;
@@ -80,7 +79,7 @@ class Xpbd final : public PositionMethod {
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
       const auto u = static_cast<std::size_t>(c.unknown[i]);
-      x[u] += multiplier * c.gradient[i] / mass[u];
+      x[u] += multiplier * c.gradient[i] / mass_[u];
     }
   }
 
