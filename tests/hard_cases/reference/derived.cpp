@@ -1,0 +1,163 @@
+#include "reference/derived.h"
+
+#include "reference/gragg_bulirsch_stoer.h"
+
+#include <array>
+
+namespace muelle::hard_cases {
+
+namespace {
+
+const Quad pi = quad("3.14159265358979323846264338327950288419716939937510");
+const Quad g = quad("9.81");
+
+void circle(std::vector<Derived>& all) {
+  const Quad r = quad("0.8175"), angle = 40;
+  all.push_back({"H06", "omega", quad("3.27") / r});
+  all.push_back({"H06", "x(10)", r * cosq(angle)});
+  all.push_back({"H06", "y(10)", r * sinq(angle)});
+  all.push_back({"H06", "z(10)", quad("-0.613125")});
+  all.push_back({"H06", "vx(10)", -quad("3.27") * sinq(angle)});
+  all.push_back({"H06", "vy(10)", quad("3.27") * cosq(angle)});
+  all.push_back({"H06", "Lz", r * quad("3.27")});
+}
+
+/// Angular frequency of mode j of the chain of 50 with stiffness c between neighbours of mass 1.
+Quad chainFrequency(Quad c, int j) { return 2 * sqrtq(c) * sinq(j * pi / 102); }
+
+void chain(std::vector<Derived>& all) {
+  const Quad along = 100, across = 100 * quad("0.1") / quad("1.1");
+  all.push_back({"H10", "longitudinal.omega1", chainFrequency(along, 1)});
+  all.push_back({"H10", "longitudinal.omega50", chainFrequency(along, 50)});
+  all.push_back({"H10", "transverse.omega1", chainFrequency(across, 1)});
+  all.push_back({"H10", "transverse.omega50", chainFrequency(across, 50)});
+  for (const int i : {1, 13, 25, 50}) {
+    const Quad u = (sinq(i * pi / 51) * cosq(10 * chainFrequency(along, 1)) +
+                    sinq(50 * i * pi / 51) * cosq(10 * chainFrequency(along, 50))) /
+                   100;
+    all.push_back({"H10", "longitudinal.u" + std::to_string(i) + "(10)", u});
+    const Quad z = sinq(i * pi / 51) * cosq(10 * chainFrequency(across, 1)) / 1000000;
+    all.push_back({"H10", "transverse.z" + std::to_string(i) + "(10)", z});
+  }
+}
+
+void heavyBelowLightInOneDimension(std::vector<Derived>& all) {
+  const Quad k = 100000000, m1 = 1, m2 = 1000000;
+  const Quad z1 = -(1 + (m1 + m2) * g / k), z2 = z1 - 1 - m2 * g / k;
+  all.push_back({"H12", "static.z1", z1});
+  all.push_back({"H12", "static.z2", z2});
+  // u'' = -A u, A = [[2k/m1, -k/m1], [-k/m2, k/m2]]: eigenvalues by the stable form of the quadratic.
+  const Quad trace = 2 * k / m1 + k / m2, determinant = k / m1 * (k / m2);
+  const Quad fast = (trace + sqrtq(trace * trace - 4 * determinant)) / 2, slow = determinant / fast;
+  all.push_back({"H12", "omega_fast", sqrtq(fast)});
+  all.push_back({"H12", "omega_slow", sqrtq(slow)});
+  // Eigenvectors (1, q): second row, -k/m2 + (k/m2 - lambda) q = 0.
+  const Quad qFast = k / m2 / (k / m2 - fast), qSlow = k / m2 / (k / m2 - slow);
+  const Quad u1 = -1 - z1, u2 = -2 - z2;
+  const Quad aSlow = (u2 - qFast * u1) / (qSlow - qFast), aFast = u1 - aSlow;
+  const Quad cSlow = aSlow * cosq(sqrtq(slow)), cFast = aFast * cosq(sqrtq(fast));
+  all.push_back({"H12", "one_d.z1(1)", z1 + cSlow + cFast});
+  all.push_back({"H12", "one_d.z2(1)", z2 + qSlow * cSlow + qFast * cFast});
+}
+
+void heavyBelowLightSwings(std::vector<Derived>& all, Quad tolerance) {
+  const Quad k = 100000000, m1 = 1, m2 = 1000000;
+  // y = x1 z1 x2 z2, then their velocities.
+  const Slope slope = [&](Quad, const QuadVector& y, QuadVector& f) {
+    const Quad ux = y[2] - y[0], uz = y[3] - y[1];
+    const Quad l1 = sqrtq(y[0] * y[0] + y[1] * y[1]), l2 = sqrtq(ux * ux + uz * uz);
+    const Quad s1 = k * (1 - 1 / l1), s2 = k * (1 - 1 / l2);
+    for (std::size_t i = 0; i < 4; ++i) f[i] = y[4 + i];
+    f[4] = (-s1 * y[0] + s2 * ux) / m1;
+    f[5] = (-s1 * y[1] + s2 * uz) / m1 - g;
+    f[6] = -s2 * ux / m2;
+    f[7] = -s2 * uz / m2 - g;
+  };
+  const QuadVector y =
+      integrate(slope, {quad("0.6"), quad("-0.8"), quad("1.2"), quad("-1.6"), 0, 0, 0, 0}, 0, 1, tolerance);
+  const std::array<const char*, 8> names = {"x1", "z1", "x2", "z2", "vx1", "vz1", "vx2", "vz2"};
+  for (std::size_t i = 0; i < 8; ++i) all.push_back({"H12", std::string("swing.") + names[i] + "(1)", y[i]});
+}
+
+constexpr int halfWidthNumerator = 3, halfWidthDenominator = 4;  // w = 3/4
+
+/// Force -E'(y) of the inverted triangle's free node, mass 1.
+Quad triangleForce(Quad y, Quad ka) {
+  const Quad w = Quad(halfWidthNumerator) / halfWidthDenominator, k = 10, L0 = Quad(5) / 4;
+  const Quad L = sqrtq(w * w + y * y);
+  return -2 * k * (L - L0) * y / L - ka * w * w * (y - 1);
+}
+
+void invertedTriangle(std::vector<Derived>& all, Quad tolerance) {
+  all.push_back({"H15", "force_t0", triangleForce(-1, 100)});
+  const Slope slope = [](Quad, const QuadVector& y, QuadVector& f) {
+    f[0] = y[1];
+    f[1] = triangleForce(y[0], 100);
+  };
+  QuadVector y = integrate(slope, {-1, 0}, 0, Quad(1) / 2, tolerance);
+  all.push_back({"H15", "y(0.5)", y[0]});
+  all.push_back({"H15", "v(0.5)", y[1]});
+  y = integrate(slope, y, Quad(1) / 2, 1, tolerance);
+  all.push_back({"H15", "y(1)", y[0]});
+  all.push_back({"H15", "v(1)", y[1]});
+  // ka(y) = 2 k s(y) / (w^2 (1 - y)), s = y (1 - L0/L), s' = 1 - L0/L + L0 y^2/L^3; extremal where
+  // s' (1 - y) + s = 0, between the flat state y = 0 and the relaxed inverted one y = -1.
+  const Quad w = Quad(3) / 4, k = 10, L0 = Quad(5) / 4;
+  const auto s = [&](Quad at) { return at * (1 - L0 / sqrtq(w * w + at * at)); };
+  const auto slopeOfKa = [&](Quad at) {
+    const Quad L = sqrtq(w * w + at * at);
+    return (1 - L0 / L + L0 * at * at / (L * L * L)) * (1 - at) + s(at);
+  };
+  Quad low = -1, high = quad("-0.01");
+  const bool lowPositive = slopeOfKa(low) > 0;
+  for (int i = 0; i < 120; ++i) {
+    const Quad middle = (low + high) / 2;
+    ((slopeOfKa(middle) > 0) == lowPositive ? low : high) = middle;
+  }
+  all.push_back({"H15", "y_critical", low});
+  all.push_back({"H15", "ka_critical", 2 * k * s(low) / (w * w * (1 - low))});
+}
+
+void friction(std::vector<Derived>& all) {
+  const Quad mu = Quad(1) / 2;
+  for (const char* degrees : {"26.5", "26.6", "30"}) {
+    const Quad angle = quad(degrees) * pi / 180;
+    const Quad a = fmaxq(Quad(0), g * (sinq(angle) - mu * cosq(angle)));
+    all.push_back({"H20", std::string("slide(") + degrees + ")", 50 * a});
+  }
+  all.push_back({"H20", "flat.t_stop", 3 / (mu * g)});
+  all.push_back({"H20", "flat.distance", Quad(9) / (2 * mu * g)});
+}
+
+void pulse(std::vector<Derived>& all) {
+  const Quad duration = Quad(1) / 1000, a = 1000;
+  all.push_back({"H22", "v(2)", a * duration});
+  all.push_back({"H22", "x(2)", a * duration * duration / 2 + a * duration * (1 - duration)});
+}
+
+}  // namespace
+
+std::vector<Derived> derivedReferences(Quad tolerance) {
+  std::vector<Derived> all;
+  circle(all);
+  chain(all);
+  heavyBelowLightInOneDimension(all);
+  heavyBelowLightSwings(all, tolerance);
+  invertedTriangle(all, tolerance);
+  friction(all);
+  pulse(all);
+  return all;
+}
+
+QuadVector elasticPendulum(Quad k, Quad x, Quad z, Quad duration, Quad tolerance) {
+  const Slope slope = [k](Quad, const QuadVector& y, QuadVector& f) {
+    const Quad L = sqrtq(y[0] * y[0] + y[1] * y[1]);
+    f[0] = y[2];
+    f[1] = y[3];
+    f[2] = -k * (1 - 1 / L) * y[0];
+    f[3] = -k * (1 - 1 / L) * y[1] - g;
+  };
+  return integrate(slope, {x, z, 0, 0}, 0, duration, tolerance);
+}
+
+}  // namespace muelle::hard_cases

@@ -1,0 +1,37 @@
+#pragma once
+#include "engine/control/simulate.h"
+#include "engine/model/model_system.h"
+
+#include <memory>
+#include <string_view>
+
+namespace muelle::hard_cases {
+
+/// A finished run with its system.
+struct Finished {
+  std::unique_ptr<engine::ModelSystem> system;
+  engine::RunResult result;
+
+  Vec3 x(int node) const { return system->position(result.last, node); }
+  Vec3 v(int node) const { return system->velocity(result.last, node); }
+  double energy() const { return system->totalEnergy(result.last); }
+};
+
+/// Options of a run at a fixed step: no step control even with an error estimate, only the last state is kept, no
+/// advice (the cases go where advice would warn), and no stop before the numbers end being finite.
+engine::RunOptions fixedStep(double h, double duration);
+/// Options of an adaptive run with the same relative and absolute tolerance, likewise quiet.
+engine::RunOptions withTolerance(double tolerance, double duration);
+
+/// Builds the model and runs it from its own start.
+Finished run(const engine::Model& model, engine::Method& method, const engine::RunOptions& options);
+Finished run(const engine::Model& model, std::string_view method, const engine::RunOptions& options);
+
+/// `steps` bare steps of h, without anything that simulate() adds: no events, no swept bound, no checks. Stops early
+/// when a step fails. For the failures that simulate() prevents.
+State bareSteps(const engine::System& system, engine::Method& method, State state, double h, long long steps);
+
+/// Whether long runs were asked for: the environment variable MUELLE_LONG is set and not "0".
+bool longRuns();
+
+}  // namespace muelle::hard_cases
