@@ -15,6 +15,9 @@ void addDocs(CLI::App& app, int& status);
 void addGrade(CLI::App& app, int& status);
 void addTestTheTests(CLI::App& app, int& status);
 #endif
+#if MUELLE_HAS_ENGINE
+void addRun(CLI::App& app, int& status);
+#endif
 
 /// What `muelle` alone prints: the commands to type next.
 void printNextSteps();

@@ -2,12 +2,11 @@
 /// The `muelle` command: reads the command line and calls the rooms; decides nothing itself.
 
 #include "app/commands.h"
+#include "app/errors.h"
 #include "harness/text/nearest.h"
 #include "harness/text/printable.h"
 
 #include <fmt/format.h>
-#include <cstdio>
-#include <exception>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -23,6 +22,9 @@ constexpr AddCommand commands[] = {
     addCheck, addList,
 #if MUELLE_HAS_GRADER
     addGrade, addTestTheTests,
+#endif
+#if MUELLE_HAS_ENGINE
+    addRun,
 #endif
     addTest,  addDocs,
 };
@@ -59,21 +61,8 @@ int run(int argc, char** argv) {
   return status;
 }
 
-/// Errors take one line, whatever they quote.
-std::string oneLine(std::string text) {
-  for (char& c : text) {
-    if (c == '\n') c = ' ';
-  }
-  return muelle::printable(text);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "muelle: {}\n", oneLine(error.what()));
-    return 2;
-  }
+  return muelle::app::withErrorsOnOneLine([=] { return run(argc, argv); });
 }

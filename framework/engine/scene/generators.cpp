@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <Eigen/Geometry>
 #include <numeric>
 #include <stdexcept>
 
@@ -49,6 +50,8 @@ SpringMaterial withStiffness(SpringMaterial material, double k) {
   material.k = k;
   return material;
 }
+
+Vec3 up(const Model& model) { return Vec3::Unit(model.dimension == 3 ? 2 : model.dimension == 2 ? model.plane[1] : 0); }
 
 void requireSpace(const Model& model, const char* what) {
   if (model.dimension != 3) throw std::invalid_argument(fmt::format("{} needs a scene of dimension 3", what));
@@ -214,9 +217,13 @@ Part addChain(Model& model, const ChainShape& shape) {
   Part part = beginPart(model, static_cast<std::size_t>(shape.n));
   for (int i = 0; i < shape.n; ++i) {
     const double s = static_cast<double>(i) / (shape.n - 1);
-    addNode(model, (1.0 - s) * shape.from + s * shape.to);
+    addNode(model, (1.0 - s) * shape.from + s * shape.to - 4.0 * shape.sag * s * (1.0 - s) * up(model));
   }
-  for (int i = 0; i + 1 < shape.n; ++i) connect(model, part.firstNode + i, part.firstNode + i + 1, shape.spring);
+  for (int i = 0; i + 1 < shape.n; ++i) {
+    connect(model, part.firstNode + i, part.firstNode + i + 1, shape.spring);
+    if (shape.L0 > 0.0) model.springs.back().L0 = shape.L0;
+    model.springs.back().unilateral = shape.unilateral;
+  }
   for (int i = part.firstNode; i + 2 < part.firstNode + shape.n && shape.angleStiffness > 0.0; ++i) {
     model.angles.push_back({i, i + 1, i + 2, shape.angleStiffness, 0.0});
   }

@@ -23,12 +23,15 @@ struct SpringMaterial {
   double dProjected = 0.0;  ///< [kg/s]
 };
 
-/// n nodes from one point to another, a spring between neighbours; all at rest.
+/// n nodes from one point to another, a spring between neighbours.
 struct ChainShape {
   int n = 2;  ///< at least 2
   Vec3 from = Vec3::Zero();
   Vec3 to = Vec3::UnitX();
+  double L0 = 0.0;   ///< rest length of each spring [m]; 0: at rest where the nodes are
+  double sag = 0.0;  ///< [m] the middle starts so much lower, the chain along a parabola
   SpringMaterial spring = {};
+  bool unilateral = false;      ///< the springs only push: blocks on each other
   double angleStiffness = 0.0;  ///< [J/rad^2] of every inner node; 0: none
 };
 Part addChain(Model& model, const ChainShape& shape);

@@ -30,7 +30,7 @@ struct KindKeys {
 
 const std::map<std::string, KindKeys>& kinds() {
   static const std::map<std::string, KindKeys> all = {
-      {"chain", {{"nodes", "from", "to"}, {"taper", "angle_stiffness"}}},
+      {"chain", {{"nodes", "from", "to"}, {"taper", "angle_stiffness", "L0", "sag", "unilateral"}}},
       {"grid",
        {{"nodes", "spacing"},
         {"origin", "across", "along", "shear_stiffness", "bend_stiffness", "dihedral_stiffness", "area_modulus"}}},
@@ -64,6 +64,10 @@ Part readChain(const TableReader& table, Model& model) {
   shape.to = table.vector("to");
   if (!((shape.to - shape.from).norm() > 0.0)) table.fail("to", "is the same point as 'from'");
   shape.spring = readMaterial(table);
+  shape.L0 = table.positive("L0", 0.0);
+  shape.sag = table.number("sag", 0.0);
+  if (shape.sag != 0.0 && model.dimension == 1) table.fail("sag", "needs a scene of dimension 2 or 3");
+  shape.unilateral = table.flag("unilateral", false);
   shape.angleStiffness = table.notNegative("angle_stiffness", 0.0);
   return addChain(model, shape);
 }
