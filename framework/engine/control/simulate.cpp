@@ -1,5 +1,7 @@
 #include "engine/control/simulate.h"
 
+#include "engine/analysis/numerical_damping.h"
+#include "engine/analysis/stability.h"
 #include "engine/control/event_locator.h"
 #include "engine/control/run_checks.h"
 #include "engine/control/run_recorder.h"
@@ -38,6 +40,7 @@ class Run {
   RunResult go();
 
  private:
+  void warnBefore();
   void begin();
   bool advance();
   PlannedStep plan() const;
@@ -45,6 +48,7 @@ class Run {
   void cutAtObstacles(PlannedStep& step);
   StepResult locateEvent(PlannedStep& step);
   bool take(PlannedStep& step);
+  bool forceIsFinite();
   bool retryFailed(const PlannedStep& step, const StepResult& result);
   bool retryInexact(const PlannedStep& step, const StepResult& result);
   void shorten(PlannedStep& step, double length) const;
@@ -117,7 +121,6 @@ RunResult Run::go() {
   using Clock = std::chrono::steady_clock;
   const auto begun = Clock::now();
   ProgressBar progress(options_.label);
-  method_.resetWork();
   report_ = monitor_.checkStart(from_);
   if (!report_.stopped) {
     begin();
@@ -130,8 +133,27 @@ RunResult Run::go() {
   return result;
 }
 
+/// What can be said of a fixed step before the run; the method is run on other systems for it.
+void Run::warnBefore() {
+  if (adaptive_) return;
+  if (options_.checkStability) {
+    const double steps = options_.duration / options_.h;
+    std::string warning = instabilityWarning(system_, method_, from_, options_.h, steps);
+    if (!warning.empty()) result_.warnings.push_back(std::move(warning));
+  }
+  if (options_.checkNumericalDamping) {
+    const NumericalDamping damping = numericalDamping(system_, method_, from_, options_.h, options_.duration);
+    if (damping.exceeds) result_.warnings.push_back(damping.sentence);
+  }
+}
+
 void Run::begin() {
-  method_.prepare(system_, options_.tolerance);
+  method_.prepare(system_, options_.tolerance);  // first of all: it says what the system lacks
+  if (options_.checkStability || options_.checkNumericalDamping) {
+    warnBefore();
+    method_.prepare(system_, options_.tolerance);
+  }
+  method_.resetWork();
   if (switching_ != nullptr) switching_->commit(from_, frozen_);
   method_.restart();
   to_ = from_;
@@ -220,7 +242,21 @@ bool Run::take(PlannedStep& step) {
   }
 }
 
+/// Looks for the cause of a failed step: the force at its begin.
+bool Run::forceIsFinite() {
+  std::vector<double> force(from_.x.size());
+  system_.force(from_.t, from_.x, from_.v, from_.z, force);
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    if (std::isfinite(force[i])) continue;
+    const int unknown = static_cast<int>(i);
+    return stop({true, from_.t, unknown,
+                 fmt::format("t = {:.6g} s, {}: the force is not finite", from_.t, system_.unknownName(unknown))});
+  }
+  return true;
+}
+
 bool Run::retryFailed(const PlannedStep& step, const StepResult& result) {
+  if (!forceIsFinite()) return false;
   ++result_.work.rejectedSteps;
   if (adaptive_) controller_->fail(step.length);
   piece_ = adaptive_ ? piece_ : 0.5 * step.length;

@@ -1,0 +1,37 @@
+#pragma once
+#include "engine/system.h"
+
+#include <memory>
+#include <vector>
+
+namespace muelle::engine {
+
+/// A system linearised about a state: M y'' + D y' + K y = 0 with K = -dF/dx, D = -dF/dv. The matrices come from the
+/// system's linearisation (sparse, with the low-rank part applied as such); without one, products come from central
+/// differences of the force, two evaluations each.
+class LinearisedSystem {
+ public:
+  LinearisedSystem(const System& system, const State& state);
+  ~LinearisedSystem();
+  LinearisedSystem(const LinearisedSystem&) = delete;
+  LinearisedSystem& operator=(const LinearisedSystem&) = delete;
+
+  int size() const;
+  const System& system() const { return system_; }
+  /// Overwrites out with K y; with D y, drag included; and with the drag's part of D y.
+  void stiffness(In y, Out out) const;
+  void damping(In y, Out out) const;
+  void drag(In y, Out out) const;
+  /// Whether D vanishes.
+  bool isUndamped() const { return !system_.forceUsesVelocity(); }
+
+ private:
+  struct Matrices;
+  void difference(In y, bool ofVelocity, Out out) const;
+
+  const System& system_;
+  State state_;
+  std::unique_ptr<Matrices> matrices_;  // null: by differences
+};
+
+}  // namespace muelle::engine

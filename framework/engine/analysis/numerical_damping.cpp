@@ -1,0 +1,105 @@
+#include "engine/analysis/numerical_damping.h"
+
+#include "engine/analysis/amplification.h"
+#include "engine/analysis/spectrum.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace muelle::engine {
+
+namespace {
+
+double massProduct(const System& system, const std::vector<double>& y) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < y.size(); ++i) sum += system.mass()[i] * y[i] * y[i];
+  return sum;
+}
+
+/// Adds the modes that hold energy at a state, `energy` in joule.
+void addModes(const System& system, const State& state, std::vector<Mode>& modes) {
+  const LinearisedSystem linearised(system, state);
+  const double kinetic = 0.5 * massProduct(system, state.v);
+  for (Mode mode : modesOf(linearised, state.v)) {
+    mode.energy *= kinetic;
+    modes.push_back(mode);
+  }
+  std::vector<double> a(state.x.size());
+  system.force(state.t, state.x, state.v, state.z, a);
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] /= system.mass()[i];
+  const double size = 0.5 * massProduct(system, a);
+  std::vector<Mode> loaded = modesOf(linearised, a);
+  double stiffest = 0.0;
+  for (const Mode& mode : loaded) stiffest = std::max(stiffest, mode.stiffness);
+  for (Mode& mode : loaded) {
+    if (!(mode.stiffness > 1e-9 * stiffest)) continue;  // moves freely: no elastic energy
+    mode.energy *= size / mode.stiffness;
+    modes.push_back(mode);
+  }
+}
+
+/// The state after the pilot's steps, or the last that could be had.
+State pilot(const System& system, Method& method, State state, double h, int steps) {
+  method.prepare(system, {});
+  method.restart();
+  State to = state;
+  for (int n = 0; n < steps; ++n) {
+    if (!method.step(system, state, h, to).done) break;
+    method.accept();
+    std::swap(state, to);
+    if (system.switching() != nullptr && system.switching()->commit(state, false)) method.restart();
+  }
+  return state;
+}
+
+}  // namespace
+
+NumericalDamping numericalDamping(const System& system, Method& method, const State& start, double h, double duration) {
+  NumericalDamping result;
+  Amplification amplification(method);
+  // Most methods keep the amplitude of an undamped mode: nothing to look for.
+  constexpr double enough = 0.05;  // of the amplitude over the run
+  const double steps = duration / h;
+  const auto lossPerStep = [&](double z) {
+    const double growth = amplification.growth(z * z, 0.0);
+    return growth > 0.0 ? std::max(0.0, -std::log(std::min(growth, 1.0))) : 700.0;
+  };
+  if (!(steps * std::max(lossPerStep(0.5), lossPerStep(1.5)) > enough)) return result;
+
+  State first = start;
+  if (first.z.empty()) first.z.assign(static_cast<std::size_t>(system.internalSize()), 0.0);
+  if (system.switching() != nullptr) system.switching()->commit(first, false);
+  std::vector<Mode> modes;
+  addModes(system, first, modes);
+  const int pilotSteps = static_cast<int>(std::min(10.0, steps / 20.0));
+  if (pilotSteps > 0) addModes(system, pilot(system, method, first, h, pilotSteps), modes);
+
+  double total = 0.0;
+  for (const Mode& mode : modes) total += mode.energy;
+  Mode worst;
+  for (const Mode& mode : modes) {
+    const double z = h * mode.frequency();
+    if (!(z > 0.5) || mode.energy < 1e-3 * total) continue;
+    const double loss = lossPerStep(z);
+    if (loss * steps < enough || loss / h <= mode.decay()) continue;
+    result.share += mode.energy / total;
+    if (mode.energy > worst.energy) worst = mode;
+  }
+  if (result.share < 0.1) return result;
+  result.exceeds = true;
+  result.frequency = worst.frequency();
+  result.numericalDecay = lossPerStep(h * result.frequency) / h;
+  result.ownDecay = worst.decay();
+  result.sentence = fmt::format(
+      "{} with h = {:.4g} s: numerical damping exceeds yours: modes with {:.0f} % of the energy, the largest of {:.3g} "
+      "Hz at {} (h omega = {:.3g}), decay at {:.3g} /s by the method and at {:.3g} /s by the scene's damping; take a "
+      "shorter step, or a method that conserves energy",
+      method.info().name, h, 100.0 * std::min(result.share, 1.0), result.frequency / (2.0 * std::numbers::pi),
+      system.unknownName(worst.unknown), h * result.frequency, result.numericalDecay, result.ownDecay);
+  return result;
+}
+
+}  // namespace muelle::engine

@@ -1,0 +1,26 @@
+#pragma once
+#include "engine/method.h"
+
+#include <string>
+
+namespace muelle::engine {
+
+/// How a fixed step of a method damps the modes that carry energy, against the scene's own damping.
+struct NumericalDamping {
+  bool exceeds = false;         ///< on modes with h omega > 0.5 and together a tenth of the energy or more
+  double share = 0.0;           ///< of the energy in those modes
+  double frequency = 0.0;       ///< angular frequency of the one with the most energy [1/s]
+  double numericalDecay = 0.0;  ///< amplitude decay that the method adds to it [1/s]
+  double ownDecay = 0.0;        ///< amplitude decay by the scene's own damping [1/s]
+  std::string sentence;         ///< "... numerical damping exceeds yours ..."; empty when it does not
+};
+
+/// Looks at the start and at the end of a pilot run of at most ten steps (and a twentieth of the run): which modes hold
+/// the kinetic energy and the elastic energy that the forces can release (Lanczos from the velocities and from the
+/// accelerations), and what a step does to each (see Amplification). A decay that costs less than 5 % of the amplitude
+/// in `duration` is not worth a word.
+///
+/// `method` is run on systems of the function's own and on `system`: prepare() it again before it goes on.
+NumericalDamping numericalDamping(const System& system, Method& method, const State& start, double h, double duration);
+
+}  // namespace muelle::engine

@@ -1,0 +1,110 @@
+#include "engine/analysis/stability.h"
+
+#include "engine/analysis/amplification.h"
+#include "engine/analysis/first_failure.h"
+
+#include <fmt/format.h>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace muelle::engine {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// The growth that a step of h gives the mode; 1 for what grows by its physics.
+double growthOf(Amplification& amplification, const Mode& mode, double h) {
+  if (mode.stiffness < 0.0) return 1.0;
+  return amplification.growth(h * h * mode.stiffness, h * std::max(mode.damping, 0.0), h * mode.drag);
+}
+
+/// Largest h without growth of this mode [s].
+double limitOf(Amplification& amplification, const Mode& mode) {
+  const double rate = mode.rate();
+  if (!(rate > 0.0)) return infinite;
+  const bool damped = mode.damping + mode.drag > 1e-9 * rate;
+  if (!damped && mode.stiffness > 0.0) return amplification.imaginaryLimit() / rate;
+  const auto holds = [&](double z) {
+    const double growth = growthOf(amplification, mode, z / rate);
+    return std::isnan(growth) || growth <= 1.0 + roundingGrowth;
+  };
+  return firstFailure(holds, 300.0, damped) / rate;
+}
+
+/// Rounding may leave a stiffness of 0 at -1e-16 of the largest.
+std::vector<Mode> cleanModes(const LinearisedSystem& system) {
+  std::vector<Mode> modes = extremeModes(system);
+  double largest = 0.0;
+  for (const Mode& mode : modes) largest = std::max(largest, std::abs(mode.stiffness));
+  for (Mode& mode : modes) {
+    if (std::abs(mode.stiffness) < 1e-13 * largest) mode.stiffness = 0.0;
+  }
+  return modes;
+}
+
+std::string describe(const Mode& mode, const std::string& unknown) {
+  const double c = mode.damping + mode.drag;
+  const bool overdamped = 0.25 * c * c > mode.stiffness;
+  if (overdamped) return fmt::format("a mode at {} (damping rate {:.4g} /s)", unknown, c);
+  const double w = mode.frequency();
+  return fmt::format("a mode at {} (omega = {:.4g} /s, {:.3g} Hz)", unknown, w, w / (2.0 * std::numbers::pi));
+}
+
+std::string sentenceOf(const StabilityReport& report, const MethodInfo& method) {
+  if (std::isinf(report.largestStep)) return fmt::format("{} is stable here with every step", method.name);
+  const std::string mode = describe(report.mode, report.unknown);
+  if (report.largestStep == 0.0) {
+    return fmt::format("{} is unstable here with every step: {} grows", method.name, mode);
+  }
+  return fmt::format("{} is stable here up to h = {:.6g} s; {} sets the limit", method.name, report.largestStep, mode);
+}
+
+/// Whether the method is known to be stable with every step.
+bool isUnconditional(const MethodInfo& method) {
+  return method.stability == Stability::AStable || method.stability == Stability::LStable;
+}
+
+StabilityReport report(const System& system, Method& method, const std::vector<Mode>& modes) {
+  StabilityReport result;
+  Amplification amplification(method);
+  for (const Mode& mode : modes) {
+    // A full scan only for a mode that could lower the limit: one that grows somewhere below it.
+    bool lower = std::isinf(result.largestStep);
+    for (double part = 1.0; part > 0.05 && !lower; part *= 0.8) {
+      lower = growthOf(amplification, mode, part * result.largestStep) > 1.0 + roundingGrowth;
+    }
+    const double limit = lower ? limitOf(amplification, mode) : infinite;
+    if (limit >= result.largestStep) continue;
+    result.largestStep = limit;
+    result.mode = mode;
+    if (limit == 0.0) break;
+  }
+  if (result.mode.unknown >= 0) result.unknown = system.unknownName(result.mode.unknown);
+  result.sentence = sentenceOf(result, method.info());
+  return result;
+}
+
+}  // namespace
+
+StabilityReport stability(const System& system, Method& method, const State& state) {
+  if (isUnconditional(method.info())) return report(system, method, {});
+  return report(system, method, cleanModes(LinearisedSystem(system, state)));
+}
+
+std::string instabilityWarning(const System& system, Method& method, const State& state, double h, double steps) {
+  if (isUnconditional(method.info())) return {};
+  const std::vector<Mode> modes = cleanModes(LinearisedSystem(system, state));
+  Amplification amplification(method);
+  double worst = 1.0;
+  for (const Mode& mode : modes) {
+    const double growth = growthOf(amplification, mode, h);
+    if (growth > worst) worst = growth;
+  }
+  if (!(worst > 1.0 + roundingGrowth) || steps * std::log(worst) < std::log(10.0)) return {};
+  return fmt::format("h = {:.4g} s is unstable, growing {:.4g} times a step: {}", h, worst,
+                     report(system, method, modes).sentence);
+}
+
+}  // namespace muelle::engine

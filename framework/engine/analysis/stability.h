@@ -1,0 +1,33 @@
+#pragma once
+#include "engine/analysis/spectrum.h"
+#include "engine/method.h"
+
+#include <limits>
+#include <string>
+
+namespace muelle::engine {
+
+/// The largest stable step of a method on a system about a state.
+struct StabilityReport {
+  /// [s]; infinite when every step is stable, 0 when every step makes a mode grow.
+  double largestStep = std::numeric_limits<double>::infinity();
+  Mode mode;             ///< the one that sets the limit
+  std::string unknown;   ///< where it moves most, in the user's words
+  std::string sentence;  ///< the same for people
+};
+
+/// The supremum of the steps h without growth over the extreme modes of the coupled stiffness and damping (Krylov
+/// estimates, see extremeModes()), from the method's own steps on each mode (see Amplification). Modes of negative
+/// stiffness grow by their physics and set no limit.
+///
+/// Exact for Runge-Kutta methods. Where a method treats positions and velocities apart and stiffness and damping do not
+/// commute, the limit is an estimate, off by a few per cent.
+///
+/// `method` is run on systems of the function's own: prepare() it again before it goes on with another one.
+StabilityReport stability(const System& system, Method& method, const State& state);
+
+/// What a step of h does: one sentence with the limit when, over `steps` steps, an unstable mode grows tenfold or more;
+/// empty otherwise. Cheaper than stability() when all is well. `method` as above.
+std::string instabilityWarning(const System& system, Method& method, const State& state, double h, double steps);
+
+}  // namespace muelle::engine
