@@ -154,7 +154,7 @@ void MassSpringSystem::assemble(double cM, double cD, double cK, double t, In x,
   J.symmetric = true;
   for (const auto& batch : batches_) {
     batch->addDerivatives(at, cD, cK, form, values);
-    if (form == Form::Exact && cK != 0.0 && batch->hasNonSymmetricStiffness()) J.symmetric = false;
+    if (form == Form::Exact && batch->isNotSymmetric()) J.symmetric = false;
   }
   if (drag_) drag_->addDerivatives(at, cD, cK, form, values);
   if (cM != 0.0) {
