@@ -24,7 +24,8 @@ class BackwardEuler final : public ImplicitMethod {
  public:
   BackwardEuler() : ImplicitMethod(facts()) {}
 
-  StepResult step(const System& system, const State& from, double h, State& to) override {
+ private:
+  StepResult advance(const System& system, const State& from, double h) override {
     stage_.t = from.t + h;
     stage_.tau = h;
     stage_.alpha = h;
@@ -35,11 +36,10 @@ class BackwardEuler final : public ImplicitMethod {
     w_.setZero();
     NewtonOptions options;
     options.tolerance = tolerance_;
-    StepResult result = solveStage(system, options, h);
-    if (!result.done) return result;
-    vector(to.v) = stage_.V0 + w_;
-    vector(to.x) = vector(from.x) + h * (stage_.V0 + w_);
-    return finish(from, h, to);
+    const StepResult result = solveStage(system, options, h);
+    dv_ = w_;
+    dx_ = h * (stage_.V0 + w_);
+    return result;
   }
 };
 

@@ -23,52 +23,58 @@ class Bdf2 final : public ImplicitMethod {
  public:
   Bdf2() : ImplicitMethod(facts()) {}
 
-  StepResult step(const System& system, const State& from, double h, State& to) override {
-    const bool continues = known_ && from.t == end_.t && from.x == end_.x && from.v == end_.v && h <= 2.0 * lastStep_;
-    StepResult result = continues ? multistep(system, from, h, to) : firstStep(system, from, h, to);
-    if (!result.done) return result;
-    result = finish(from, h, to);
-    pendingEnd_ = to;
-    pendingStep_ = h;
-    pendingDx_ = vector(to.x) - vector(from.x);
-    pendingDv_ = vector(to.v) - vector(from.v);
-    return result;
-  }
-
   void accept() override {
     std::swap(end_, pendingEnd_);
-    std::swap(dx_, pendingDx_);
-    std::swap(dv_, pendingDv_);
+    lastDx_ = dx_;
+    lastDv_ = dv_;
     lastStep_ = pendingStep_;
     known_ = true;
   }
   void restart() override { known_ = false; }
 
  private:
-  StepResult multistep(const System& system, const State& from, double h, State& to) {
+  StepResult advance(const System& system, const State& from, double h) override {
+    const bool continues = known_ && follows(from, end_, h) && h <= 2.0 * lastStep_;
+    const StepResult result = continues ? multistep(system, from, h) : firstStep(system, from, h);
+    pendingEnd_ = from;
+    pendingEnd_.t += h;
+    vector(pendingEnd_.x) += dx_;
+    vector(pendingEnd_.v) += dv_;
+    pendingStep_ = h;
+    return result;
+  }
+
+  StepResult multistep(const System& system, const State& from, double h) {
     const double r = h / lastStep_;
     const double memory = r * r / (1.0 + 2.0 * r);
-    const double gamma = (1.0 + r) / (1.0 + 2.0 * r);
-    stage_.V0 = vector(from.v) + memory * dv_;
-    stage_.X0 = vector(from.x) + memory * dx_ + (gamma * h) * stage_.V0;
-    return implicitStage(system, from, from.t + h, gamma * h, h, to);
+    const double c = (1.0 + r) / (1.0 + 2.0 * r) * h;
+    stage_.V0 = vector(from.v) + memory * lastDv_;
+    stage_.X0 = vector(from.x) + memory * lastDx_ + c * stage_.V0;
+    const StepResult result = implicitStage(system, from, from.t + h, c, h);
+    dv_ = memory * lastDv_ + w_;
+    dx_ = memory * lastDx_ + c * (vector(from.v) + dv_);
+    return result;
   }
 
   /// Alexander's SDIRK2: gamma = 1 - 1/sqrt(2), the second stage is the step.
-  StepResult firstStep(const System& system, const State& from, double h, State& to) {
-    const double gamma = 1.0 - std::sqrt(0.5);
+  StepResult firstStep(const System& system, const State& from, double h) {
+    const double gamma = 1.0 - std::sqrt(0.5), c = gamma * h;
     stage_.V0 = vector(from.v);
-    stage_.X0 = vector(from.x) + (gamma * h) * stage_.V0;
-    StepResult result = implicitStage(system, from, from.t + gamma * h, gamma * h, h, to);
+    stage_.X0 = vector(from.x) + c * stage_.V0;
+    const StepResult result = implicitStage(system, from, from.t + c, c, h);
     if (!result.done) return result;
-    const Vector firstV = vector(to.v);
-    stage_.V0 = vector(from.v) + ((1.0 - gamma) / gamma) * w_;
-    stage_.X0 = vector(from.x) + ((1.0 - gamma) * h) * firstV + (gamma * h) * stage_.V0;
-    return implicitStage(system, from, from.t + h, gamma * h, h, to);
+    dx_ = (h - c) * (vector(from.v) + w_);
+    dv_ = ((1.0 - gamma) / gamma) * w_;
+    stage_.V0 = vector(from.v) + dv_;
+    stage_.X0 = vector(from.x) + dx_ + c * stage_.V0;
+    const StepResult second = implicitStage(system, from, from.t + h, c, h);
+    dv_ += w_;
+    dx_ += c * (vector(from.v) + dv_);
+    return second;
   }
 
-  /// Solves v = V0 + c a(t, x, v), x = X0 + c (v - V0) into `to`.
-  StepResult implicitStage(const System& system, const State& from, double t, double c, double h, State& to) {
+  /// Solves w = c a(t, X0 + c w, V0 + w).
+  StepResult implicitStage(const System& system, const State& from, double t, double c, double h) {
     stage_.t = t;
     stage_.tau = c;
     stage_.alpha = c;
@@ -77,17 +83,13 @@ class Bdf2 final : public ImplicitMethod {
     w_.setZero();
     NewtonOptions options;
     options.tolerance = tolerance_;
-    const StepResult result = solveStage(system, options, h);
-    if (!result.done) return result;
-    vector(to.v) = stage_.V0 + w_;
-    vector(to.x) = stage_.X0 + c * w_;
-    return result;
+    return solveStage(system, options, h);
   }
 
   bool known_ = false;
   State end_, pendingEnd_;
   double lastStep_ = 0.0, pendingStep_ = 0.0;
-  Vector dx_, dv_, pendingDx_, pendingDv_;
+  Vector lastDx_, lastDv_;
 };
 
 }  // namespace

@@ -29,7 +29,8 @@ class DiscreteGradient final : public ImplicitMethod {
  public:
   DiscreteGradient() : ImplicitMethod(facts()) {}
 
-  StepResult step(const System& system, const State& from, double h, State& to) override {
+ private:
+  StepResult advance(const System& system, const State& from, double h) override {
     const double tm = from.t + 0.5 * h;
     const bool complete = system.potential()->isComplete();
     stage_.t = tm;
@@ -43,8 +44,8 @@ class DiscreteGradient final : public ImplicitMethod {
     rest_.resize(stage_.X0.size());
     conservative_.resize(stage_.X0.size());
     stage_.force = [&](const Vector& w, const Vector& X, const Vector& V, Vector& F) {
-      end(from, h, w, to);
-      system.potential()->discreteGradientForce(tm, from.x, to.x, from.z, span(F));
+      end(from, h, w);
+      system.potential()->discreteGradientForce(tm, from.x, span(end_), from.z, span(F));
       if (complete) return;
       system.force(tm, span(X), span(V), from.z, span(rest_));
       system.potential()->conservativeForce(tm, span(X), from.z, span(conservative_));
@@ -65,22 +66,21 @@ class DiscreteGradient final : public ImplicitMethod {
       if (result.done) result = solveStage(system, options, h);
     }
     stage_.force = nullptr;
-    if (!result.done) return result;
-    end(from, h, w_, to);
-    return finish(from, h, to);
+    end(from, h, w_);
+    dv_ = w_;
+    return result;
   }
 
- private:
   static In span(const Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
   static Out span(Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 
-  /// The end of the step for the increment w: the same numbers that the discrete gradient saw.
-  static void end(const State& from, double h, const Vector& w, State& to) {
-    vector(to.v) = vector(from.v) + w;
-    vector(to.x) = vector(from.x) + h * (vector(from.v) + 0.5 * w);
+  /// Change of position and end of the step for the increment w: the same numbers that the discrete gradient saw.
+  void end(const State& from, double h, const Vector& w) {
+    dx_ = h * (vector(from.v) + 0.5 * w);
+    end_ = vector(from.x) + dx_;
   }
 
-  Vector rest_, conservative_;
+  Vector end_, rest_, conservative_;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "engine/integrators/implicit/implicit_method.h"
 
 #include <fmt/format.h>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -22,7 +23,7 @@ void ImplicitMethod::prepare(const System& system, const Tolerance& tolerance) {
   newton_.prepare(system);
   const auto n = static_cast<Eigen::Index>(system.size());
   stage_ = {};
-  for (Vector* v : {&stage_.X0, &stage_.V0, &w_}) v->setZero(n);
+  for (Vector* v : {&stage_.X0, &stage_.V0, &w_, &dx_, &dv_}) v->setZero(n);
   restart();
 }
 
@@ -34,13 +35,35 @@ StepResult ImplicitMethod::solveStage(const System& system, const NewtonOptions&
   return result;
 }
 
-StepResult ImplicitMethod::finish(const State& from, double h, State& to) const {
+StepResult ImplicitMethod::step(const System& system, const State& from, double h, State& to) {
+  StepResult result = advance(system, from, h);
+  if (!result.done) return result;
   to.t = from.t + h;
+  vector(to.x) = vector(from.x) + dx_;
+  vector(to.v) = vector(from.v) + dv_;
   to.z = from.z;
-  StepResult result;
   result.done = vector(to.x).allFinite() && vector(to.v).allFinite();
   if (!result.done) result.failure = fmt::format("{} with h = {:.6g} s: the new state is not finite", info_.id, h);
   return result;
+}
+
+StepResult ImplicitMethod::stepIncrement(const System& system, const State& from, double h, State& increment) {
+  StepResult result = advance(system, from, h);
+  if (!result.done) return result;
+  vector(increment.x) = dx_;
+  vector(increment.v) = dv_;
+  result.done = dx_.allFinite() && dv_.allFinite();
+  if (!result.done) result.failure = fmt::format("{} with h = {:.6g} s: the new state is not finite", info_.id, h);
+  return result;
+}
+
+bool ImplicitMethod::follows(const State& from, const State& end, double h) {
+  constexpr double bits = 8.0 * std::numeric_limits<double>::epsilon();
+  const auto close = [](const std::vector<double>& a, const std::vector<double>& b) {
+    return (vector(a) - vector(b)).lpNorm<Eigen::Infinity>() <= bits * vector(b).lpNorm<Eigen::Infinity>();
+  };
+  return from.x.size() == end.x.size() && std::abs(from.t - end.t) <= 1e-6 * h && close(from.x, end.x) &&
+         close(from.v, end.v);
 }
 
 MethodInfo implicitInfo(std::string id, std::string name, int order, Stability stability) {

@@ -14,6 +14,9 @@ class ImplicitMethod : public Method {
   const MethodInfo& info() const override { return info_; }
   /// Throws std::invalid_argument when the system lacks a linearisation, or a potential where the method needs one.
   void prepare(const System& system, const Tolerance& tolerance) override;
+  StepResult step(const System& system, const State& from, double h, State& to) final;
+  bool hasIncrements() const final { return true; }
+  StepResult stepIncrement(const System& system, const State& from, double h, State& increment) final;
 
  protected:
   using Vector = Eigen::VectorXd;
@@ -24,16 +27,19 @@ class ImplicitMethod : public Method {
   static Eigen::Map<Vector> vector(std::vector<double>& values) {
     return {values.data(), static_cast<Eigen::Index>(values.size())};
   }
+  /// Computes the change over a step into dx_ and dv_.
+  virtual StepResult advance(const System& system, const State& from, double h) = 0;
   /// Solves stage_ from the guess in w_; the result says which step failed when it did.
   StepResult solveStage(const System& system, const NewtonOptions& options, double h);
-  /// Copies z, sets the time and checks that x and v are finite.
-  StepResult finish(const State& from, double h, State& to) const;
+  /// Whether a step starts where the last one ended, up to the last bits, which compensated summation may change.
+  static bool follows(const State& from, const State& end, double h);
 
   MethodInfo info_;
   double tolerance_ = 1e-12;
   Newton newton_;
   ImplicitStage stage_;
-  Vector w_;
+  Vector w_;        ///< solution of the stage: an increment of velocity
+  Vector dx_, dv_;  ///< change over the step
 };
 
 /// A MethodInfo with what all implicit methods have in common.

@@ -26,7 +26,8 @@ class ImplicitMidpoint final : public ImplicitMethod {
  public:
   ImplicitMidpoint() : ImplicitMethod(facts()) {}
 
-  StepResult step(const System& system, const State& from, double h, State& to) override {
+ private:
+  StepResult advance(const System& system, const State& from, double h) override {
     stage_.t = from.t + 0.5 * h;
     stage_.tau = h;
     stage_.alpha = 0.25 * h;
@@ -38,11 +39,10 @@ class ImplicitMidpoint final : public ImplicitMethod {
     NewtonOptions options;
     options.tolerance = tolerance_;
     options.polish = true;
-    StepResult result = solveStage(system, options, h);
-    if (!result.done) return result;
-    vector(to.v) = stage_.V0 + w_;
-    vector(to.x) = vector(from.x) + h * (stage_.V0 + 0.5 * w_);
-    return finish(from, h, to);
+    const StepResult result = solveStage(system, options, h);
+    dv_ = w_;
+    dx_ = h * (stage_.V0 + 0.5 * w_);
+    return result;
   }
 };
 

@@ -26,7 +26,8 @@ class LinearisedBackwardEuler final : public ImplicitMethod {
  public:
   LinearisedBackwardEuler() : ImplicitMethod(facts()) {}
 
-  StepResult step(const System& system, const State& from, double h, State& to) override {
+ private:
+  StepResult advance(const System& system, const State& from, double h) override {
     const double t = from.t + h;
     const auto n = static_cast<Eigen::Index>(from.x.size());
     force_.resize(n);
@@ -40,12 +41,11 @@ class LinearisedBackwardEuler final : public ImplicitMethod {
       result.failure = fmt::format("{} with h = {:.6g} s: {}", info_.id, h, result.failure);
       return result;
     }
-    vector(to.v) = vector(from.v) + w_;
-    vector(to.x) = vector(from.x) + h * (vector(from.v) + w_);
-    return finish(from, h, to);
+    dv_ = w_;
+    dx_ = h * (vector(from.v) + w_);
+    return result;
   }
 
- private:
   /// Empty, or why there is no w_.
   std::string solve(const System& system, const State& from, double t, double h, Form form) {
     const Vector v0 = vector(from.v);

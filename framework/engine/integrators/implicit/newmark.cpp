@@ -23,8 +23,15 @@ class Newmark final : public ImplicitMethod {
  public:
   Newmark() : ImplicitMethod(facts()) {}
 
-  StepResult step(const System& system, const State& from, double h, State& to) override {
-    if (!known_ || from.t != end_.t || from.x != end_.x || from.v != end_.v || from.z != end_.z) {
+  void accept() override {
+    std::swap(end_, last_);
+    force_ = newton_.force();
+  }
+  void restart() override { known_ = false; }
+
+ private:
+  StepResult advance(const System& system, const State& from, double h) override {
+    if (!known_ || from.z != end_.z || !follows(from, end_, h)) {
       force_.resize(static_cast<Eigen::Index>(from.x.size()));
       system.force(from.t, from.x, from.v, from.z, {force_.data(), from.x.size()});
       ++work_.forceEvaluations;
@@ -43,22 +50,16 @@ class Newmark final : public ImplicitMethod {
     NewtonOptions options;
     options.tolerance = tolerance_;
     options.polish = true;
-    StepResult result = solveStage(system, options, h);
-    if (!result.done) return result;
-    vector(to.v) = stage_.V0 + w_;
-    vector(to.x) = vector(from.x) + h * (stage_.V0 + 0.5 * w_);
-    result = finish(from, h, to);
-    last_ = to;
+    const StepResult result = solveStage(system, options, h);
+    dv_ = w_;
+    dx_ = h * (stage_.V0 + 0.5 * w_);
+    last_ = from;
+    last_.t += h;
+    vector(last_.x) += dx_;
+    vector(last_.v) += dv_;
     return result;
   }
 
-  void accept() override {
-    std::swap(end_, last_);
-    force_ = newton_.force();
-  }
-  void restart() override { known_ = false; }
-
- private:
   bool known_ = false;
   State end_, last_;
   Vector force_;
