@@ -34,8 +34,9 @@ class LinearSolver {
   /// with vanishing pivots is tried again by LU.
   Factorisation factorise(const SystemMatrix& J, bool onlyDefinite = false);
 
-  /// Solves J x = b with one step of iterative refinement. Returns an empty string, or one line that says why x is no
-  /// solution: not finite, or the backward error |b - J x| / (|J| |x| + |b|) is larger than 1e-8.
+  /// Solves J x = b, with one step of iterative refinement where round-off asks for it. Returns an empty string, or one
+  /// line that says why x is no solution: not finite, or the backward error |b - J x| / (|J| |x| + |b|) is larger than
+  /// 1e-8.
   std::string solve(const Eigen::VectorXd& b, Eigen::VectorXd& x);
 
  private:

@@ -77,7 +77,8 @@ double Newton::relativeResidual(const Point& point, double floorFactor, int& wor
   return largest;
 }
 
-bool Newton::atFloor(const Point& point, double factor) const {
+bool Newton::atFloor(const Point& point, double factor) {
+  needFloor();
   int worst = 0;
   return relativeResidual(point, factor, worst) == 0.0;
 }
@@ -87,6 +88,8 @@ bool Newton::factorise(Form form, Factorisation& found) {
   system_->linearisation()->assemble(1.0, s.tau * s.beta, s.tau * s.alpha, s.t, in(here_.X), in(here_.V), s.z, form,
                                      J_);
   ++work_->jacobians;
+  floorKnown_ = false;
+  floor_.setZero();
   found = solver_.factorise(J_, form != Form::Exact);
   ++work_->factorisations;
   return found.usable;
@@ -141,11 +144,14 @@ bool Newton::krylovDirection() {
   return step_.allFinite();
 }
 
-void Newton::updateFloor() {
-  multiplyAbsolute(J_, here_.X, absolute_);
-  floor_ = (eps / stage_->alpha) * absolute_;
-  multiplyAbsolute(J_, here_.V, absolute_);
-  floor_ += (eps / stage_->beta) * absolute_;
+void Newton::needFloor() {
+  if (floorKnown_) return;
+  floorKnown_ = true;
+  // X = X0 + alpha w may be small by cancellation: its round-off is that of X0.
+  absolute_ = (stage_->X0.cwiseAbs() + here_.X.cwiseAbs()) / stage_->alpha +
+              (stage_->V0.cwiseAbs() + here_.V.cwiseAbs()) / stage_->beta;
+  multiplyAbsolute(J_, absolute_, floor_);
+  floor_ *= eps;
 }
 
 /// Steps along step_ until the incremental potential falls enough (Armijo); `slope` is R . step_.
@@ -219,6 +225,7 @@ NewtonReport Newton::solve(const System& system, const ImplicitStage& stage, con
   new (&mass_) Eigen::Map<const Vector>(mass.data(), static_cast<Eigen::Index>(mass.size()));
   NewtonReport report;
   floor_.setZero();
+  floorKnown_ = true;  // there is no matrix yet
   evaluate(w, here_);
   if (!here_.finite) {
     w.setZero();
@@ -237,7 +244,11 @@ NewtonReport Newton::solve(const System& system, const ImplicitStage& stage, con
   bool exactWorks = true;
   for (;;) {
     if (here_.size == 0.0) break;
-    relative_ = relativeResidual(here_, report.iterations > 0 ? 4.0 : 0.0, worst);
+    relative_ = relativeResidual(here_, 0.0, worst);
+    if (report.iterations > 0 && relative_ > options.tolerance) {
+      needFloor();
+      relative_ = relativeResidual(here_, 4.0, worst);
+    }
     if (report.iterations > 0 && relative_ <= options.tolerance) break;
     if (report.iterations == options.mostIterations) {
       report.failure = fmt::format("Newton: no convergence after {} iterations", report.iterations);
@@ -262,7 +273,6 @@ NewtonReport Newton::solve(const System& system, const ImplicitStage& stage, con
       report.failure = "Newton: " + failure;
       break;
     }
-    updateFloor();
     const double before = here_.size;
     Search search = Search::Failed;
     if (!potential) {

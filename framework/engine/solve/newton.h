@@ -81,13 +81,14 @@ class Newton {
   double energy(const Point& point);
   /// Largest residual over its terms, less the floor of round-off. `worst` is the unknown that has it.
   double relativeResidual(const Point& point, double floorFactor, int& worst) const;
-  bool atFloor(const Point& point, double factor) const;
+  bool atFloor(const Point& point, double factor);
   bool factorise(Form form, Factorisation& found);
   bool direction(std::string& failure);
   bool krylovDirection();
   Search searchEnergy(double slope);
   Search searchResidual();
-  void updateFloor();
+  /// Computes floor_ for the last matrix, once.
+  void needFloor();
   void keepMatrix();
 
   const System* system_ = nullptr;
@@ -99,6 +100,7 @@ class Newton {
   Point here_, trial_;
   Eigen::VectorXd step_, rest_, floor_, absolute_, scratch_;
   double relative_ = 0.0;
+  bool floorKnown_ = false;
 };
 
 }  // namespace muelle::engine
