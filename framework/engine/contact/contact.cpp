@@ -129,7 +129,7 @@ void Contact<D, Shape>::bind(const MatrixPattern& pattern) {
 }
 
 template <int D, class Shape>
-bool Contact<D, Shape>::hasNonSymmetricStiffness() const {
+bool Contact<D, Shape>::isNotSymmetric() const {
   return hasFriction() || (obstacle_.d > 0.0 && D > 1 && std::is_same_v<Shape, Sphere<D>>);
 }
 

@@ -56,7 +56,7 @@ class Contact final : public ForceBatch {
 
   void bind(const MatrixPattern& pattern) override;
   void addDerivatives(const Configuration& at, double cD, double cK, Form form, double* values) const override;
-  bool hasNonSymmetricStiffness() const override;
+  bool isNotSymmetric() const override;
 
   int constraintCount() const override { return nodes(); }
   bool evaluateConstraint(int j, const Configuration& at, int freeSize, Constraint& out) const override;

@@ -20,18 +20,21 @@ inline double timeToFall(double fall, double rate, double acceleration) {
   return below > 0.0 ? 2.0 * fall / below : std::numeric_limits<double>::infinity();
 }
 
-/// How long a node may move before it can be `sweepFraction` of the thickness deeper in an obstacle.
+/// How long a node may move so that no step carries it more than `sweepFraction` of the thickness into an obstacle, or
+/// on inside it.
 ///
-/// Outside a convex obstacle the distance to the plane through the nearest point of its surface decides. Inside, any
-/// movement counts, the contact's own push included: so a step cannot carry the node through, nor be so long that the
-/// push throws it out. A node at rest, with no net force, bounds nothing.
+/// Outside a convex obstacle the distance to the plane through the nearest point of its surface decides: a node that
+/// comes from afar is stopped just short of it, so that the step that enters is itself a short one (a long step that
+/// ends inside would be thrown back by the whole push times its length). Inside, any movement counts, the push included.
+/// A node at rest, with no net force, bounds nothing.
 ///
 /// \param gap signed distance [m]   \param rate its rate, \param rateOfRate its acceleration
 /// \param speed, acceleration absolute, relative to the obstacle
 inline double sweptTime(double gap, double rate, double rateOfRate, double speed, double acceleration,
                         double thickness) {
   const double allowed = sweepFraction * thickness;
-  if (gap > 0.0) return timeToFall(gap + allowed, rate, rateOfRate);
+  if (gap > allowed) return timeToFall(gap - 0.5 * allowed, rate, rateOfRate);
+  if (gap > 0.0) return timeToFall(allowed, rate, rateOfRate);
   return timeToFall(allowed, -speed, -acceleration);
 }
 

@@ -41,8 +41,8 @@ class ForceBatch {
   virtual void bind(const MatrixPattern&) {}
   /// Adds cD D + cK K, K = -dF/dx, D = -dF/dv, to the values of a matrix of the bound pattern.
   virtual void addDerivatives(const Configuration&, double /*cD*/, double /*cK*/, Form, double* /*values*/) const {}
-  /// Whether K of Form::Exact is not symmetric.
-  virtual bool hasNonSymmetricStiffness() const { return false; }
+  /// Whether the derivatives of Form::Exact are not symmetric.
+  virtual bool isNotSymmetric() const { return false; }
 
   /// Columns of the low-rank part, for the unknowns alone, and their stiffness.
   virtual int lowRankColumns() const { return 0; }

@@ -54,7 +54,7 @@ class Spring final : public ForceBatch {
   void couple(MatrixPattern& pattern) const override;
   void bind(const MatrixPattern& pattern) override;
   void addDerivatives(const Configuration& at, double cD, double cK, Form form, double* values) const override;
-  bool hasNonSymmetricStiffness() const override { return projected_; }
+  bool isNotSymmetric() const override { return projected_; }
 
   int constraintCount() const override { return static_cast<int>(springs_.size()); }
   bool evaluateConstraint(int j, const Configuration& at, int freeSize, Constraint& out) const override;
