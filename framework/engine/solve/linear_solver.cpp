@@ -20,10 +20,18 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-bool isDiagonal(const Sparse& A) {
-  if (A.nonZeros() != A.rows()) return false;
-  for (int i = 0; i < A.rows(); ++i) {
-    if (A.outerIndexPtr()[i] != i || A.innerIndexPtr()[i] != i) return false;
+/// Writes the diagonal; false when there is an entry beside it that is not 0 (nodes without springs still have whole
+/// blocks in the pattern).
+bool isDiagonal(const Sparse& A, Vector& diagonal) {
+  diagonal.setZero(A.rows());
+  for (int j = 0; j < A.outerSize(); ++j) {
+    for (Sparse::InnerIterator entry(A, j); entry; ++entry) {
+      if (entry.row() == j) {
+        diagonal[j] = entry.value();
+      } else if (entry.value() != 0.0) {
+        return false;
+      }
+    }
   }
   return true;
 }
@@ -143,7 +151,17 @@ struct LinearSolver::Parts {
 
   void solveOnce(const Vector& b, Vector& x) {
     solveSparse(b, x);
-    if (s.size() > 0) x.noalias() -= AinvU * capacitance.solve(U.transpose() * x);
+    if (s.size() > 0) x.noalias() -= AinvU * Vector(capacitance.solve(U.transpose() * x));
+  }
+
+  /// r -= J x.
+  void subtractProduct(const Vector& x, Vector& r) const {
+    if (kind == Kind::Diagonal) {
+      r -= diagonal.cwiseProduct(x);
+    } else {
+      r.noalias() -= J->sparse * x;
+    }
+    if (s.size() > 0) r.noalias() -= U * Vector(s.cwiseProduct(U.transpose() * x));
   }
 
   /// Woodbury's small matrix C = S^-1 + U^T A^-1 U, and the inertia of the sum: neg(A + U S U^T) = neg(A) + pos(C) -
@@ -206,16 +224,16 @@ Factorisation LinearSolver::factorise(const SystemMatrix& J, bool onlyDefinite) 
     result.failure = "the matrix has entries that are not finite";
     return result;
   }
-  p.norm = infinityNorm(A);
   bool done = false;
-  if (J.symmetric && isDiagonal(A)) {
-    p.diagonal = A.diagonal();
+  if (J.symmetric && isDiagonal(A, p.diagonal)) {
+    p.norm = p.diagonal.size() > 0 ? p.diagonal.lpNorm<Eigen::Infinity>() : 0.0;
     result.vanishing = static_cast<int>((p.diagonal.array() == 0.0).count());
     result.negative = static_cast<int>((p.diagonal.array() < 0.0).count());
     p.kind = Parts::Kind::Diagonal;
     done = result.vanishing == 0;
     if (!done) result.failure = fmt::format("the matrix is singular: {} vanishing pivots", result.vanishing);
   } else {
+    p.norm = infinityNorm(A);
     if (J.symmetric) done = p.factoriseLDLT(A, result);
     const bool givenUp = onlyDefinite && J.symmetric && J.lowRank.empty() && (!done || result.negative > 0);
     if (!done && !givenUp) done = p.factoriseLU(A, result);
@@ -237,8 +255,8 @@ std::string LinearSolver::solve(const Vector& b, Vector& x) {
   p.solveOnce(b, x);
   if (!x.allFinite()) return "the solution is not finite";
   const auto backwardError = [&] {
-    multiply(*p.J, x, p.residual);
-    p.residual = b - p.residual;
+    p.residual = b;
+    p.subtractProduct(x, p.residual);
     const double size = p.norm * x.lpNorm<Eigen::Infinity>() + b.lpNorm<Eigen::Infinity>();
     const double left = p.residual.lpNorm<Eigen::Infinity>();
     // Numbers that die out end below the normal range, where no digit is left to compare.
@@ -261,7 +279,7 @@ std::string LinearSolver::solve(const Vector& b, Vector& x) {
 
 void multiply(const SystemMatrix& J, const Vector& x, Vector& y) {
   y.noalias() = J.sparse * x;
-  if (!J.lowRank.empty()) y.noalias() += J.lowRank.U * J.lowRank.s.cwiseProduct(J.lowRank.U.transpose() * x);
+  if (!J.lowRank.empty()) y.noalias() += J.lowRank.U * Vector(J.lowRank.s.cwiseProduct(J.lowRank.U.transpose() * x));
 }
 
 void multiplyAbsolute(const SystemMatrix& J, const Vector& x, Vector& y) {
