@@ -49,7 +49,7 @@ class ProjectiveDynamics final : public PositionMethod {
     PositionMethod::prepare(system, tolerance);
     matrixStep_ = 0.0;
     covered_.assign(static_cast<std::size_t>(system.constraints()->count()), false);
-    for (Vector* v : {&residual_, &increment_, &inertial_}) v->setZero(system.size());
+    for (Vector* v : {&residual_, &increment_, &offset_}) v->setZero(system.size());
   }
 
   StepResult step(const System& system, const State& from, double h, State& to) override {
@@ -58,11 +58,13 @@ class ProjectiveDynamics final : public PositionMethod {
     to.z = from.z;
     accelerate(system, from.t, h, to);
     for (std::size_t i = 0; i < to.x.size(); ++i) to.x[i] += h * to.v[i];
-    inertial_ = Eigen::Map<const Vector>(to.x.data(), inertial_.size());
-    const Eigen::Map<const Vector> m(mass_.data(), inertial_.size());
-    Eigen::Map<Vector> x(to.x.data(), inertial_.size());
+    // The distance from the inertial position is kept by itself: a difference of positions, divided by h, would bring
+    // their rounding into the momentum.
+    offset_.setZero();
+    const Eigen::Map<const Vector> m(mass_.data(), offset_.size());
+    Eigen::Map<Vector> x(to.x.data(), offset_.size());
     for (int i = 0; i < iterations_; ++i) {
-      residual_ = m.cwiseProduct(x - inertial_) / (h * h);
+      residual_ = m.cwiseProduct(offset_) / (h * h);
       if (addElastic(system, from, h, to) || h != matrixStep_) {
         const std::string failure = refactor(system, from.t + h, h, to);
         if (!failure.empty()) return {.done = false, .failure = failure};
@@ -71,8 +73,9 @@ class ProjectiveDynamics final : public PositionMethod {
       ++work_.solves;
       if (!failure.empty()) return {.done = false, .failure = fmt::format("{}: {}", info_.id, failure)};
       x -= increment_;
+      offset_ -= increment_;
     }
-    for (std::size_t i = 0; i < to.x.size(); ++i) to.v[i] = (to.x[i] - from.x[i]) / h;
+    Eigen::Map<Vector>(to.v.data(), offset_.size()) += offset_ / h;
     return finish(from, h, to);
   }
 
@@ -144,7 +147,7 @@ class ProjectiveDynamics final : public PositionMethod {
   SystemMatrix matrix_;
   LinearSolver solver_;
   Constraint constraint_;
-  Vector residual_, increment_, inertial_;
+  Vector residual_, increment_, offset_;
 };
 
 }  // namespace

@@ -57,12 +57,14 @@ class Xpbd final : public PositionMethod {
     for (std::size_t i = 0; i < state.x.size(); ++i) state.x[i] += h * state.v[i];
     const Constraints& constraints = *system.constraints();
     for (int j = 0; j < constraints.count(); ++j) {
-      if (constraints.evaluate(j, t + h, state.x, state.z, constraint_)) project(h, state.x);
+      if (constraints.evaluate(j, t + h, state.x, state.z, constraint_)) project(h, state);
     }
-    for (std::size_t i = 0; i < state.x.size(); ++i) state.v[i] = (state.x[i] - before_[i]) / h;
   }
 
-  void project(double h, std::vector<double>& x) const {
+  /// The velocity takes each correction over h: (x - before) / h would bring the rounding of x, divided by h, into the
+  /// momentum.
+  void project(double h, State& state) const {
+    std::vector<double>& x = state.x;
     const Constraint& c = constraint_;
     double w = 0.0, moved = 0.0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
@@ -79,7 +81,9 @@ class Xpbd final : public PositionMethod {
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
       const auto u = static_cast<std::size_t>(c.unknown[i]);
-      x[u] += multiplier * c.gradient[i] / mass_[u];
+      const double correction = multiplier * c.gradient[i] / mass_[u];
+      x[u] += correction;
+      state.v[u] += correction / h;
     }
   }
 
