@@ -27,6 +27,7 @@ class TestOscillator : public System, public Potential, public Drag, public Line
   void discreteGradientForce(double t, In xa, In xb, In z, Out f) const override;
   std::span<const double> coefficients() const override { return {&drag1, 1}; }
   void forceWithoutDrag(double t, In x, In v, In z, Out f) const override;
+  bool remainderUsesVelocity() const override { return damping != 0.0; }
   void assemble(double cM, double cD, double cK, double t, In x, In v, In z, Form form, SystemMatrix& J) const override;
   int count() const override { return 1; }
   bool evaluate(int j, double t, In x, In z, Constraint& out) const override;
