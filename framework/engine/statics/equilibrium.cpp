@@ -27,6 +27,7 @@ class Search {
       : system_(system), options_(options), result_(result), t_(start.t), z_(start.z) {
     x_ = Eigen::Map<const Vector>(start.x.data(), static_cast<Eigen::Index>(start.x.size()));
     rest_ = Vector::Zero(x_.size());
+    radius_ = 0.1 * extent();
   }
 
   void run();
@@ -37,6 +38,8 @@ class Search {
  private:
   enum class Outcome { Balanced, Stuck, Exhausted };
 
+  /// Half the size of the scene, as far as its free nodes tell [m].
+  double extent() const { return x_.size() > 0 ? std::max((x_.array() - x_.mean()).abs().maxCoeff(), 1e-3) : 1e-3; }
   double energy(const Vector& x) {
     ++result_.work.forceEvaluations;
     return system_.potential()->energy(t_, in(x), z_);
@@ -67,8 +70,9 @@ class Search {
   std::vector<double> z_;
   Vector x_, F_, rest_, trial_, trialF_, step_, floor_, product_, diagonal_;
   double E_ = 0.0;
-  double scale_ = 1.0;  // largest entry of the Hessian [N/m]
-  double shift_ = 0.0;  // added to its diagonal [N/m]
+  double scale_ = 1.0;   // largest entry of the Hessian [N/m]
+  double shift_ = 0.0;   // added to its diagonal [N/m]
+  double radius_ = 0.0;  // no unknown moves further in a step [m]: nodes should not jump over each other
   SystemMatrix H_;
   LinearSolver solver_;
 };
@@ -132,6 +136,10 @@ Search::Outcome Search::balance() {
       return Outcome::Balanced;
     }
     if (!solve(F_, step_)) return Outcome::Stuck;
+    for (int i = 0; i < 40 && step_.lpNorm<Eigen::Infinity>() > radius_; ++i) {
+      shift_ = std::max(8.0 * shift_, options_.flat * scale_);
+      if (!factorise(shift_) || !solve(F_, step_)) return Outcome::Stuck;
+    }
     const double predicted = 0.5 * (F_.dot(step_) + shift_ * step_.squaredNorm());
     trial_ = x_ + step_;
     force(trial_, trialF_);
@@ -146,6 +154,7 @@ Search::Outcome Search::balance() {
       x_.swap(trial_);
       F_.swap(trialF_);
       E_ = trialE;
+      if (gain > 0.7) radius_ *= 2.0;
       if (gain > 0.7 || small) shift_ = shift_ <= options_.flat * scale_ ? 0.0 : 0.1 * shift_;
       stagnant = 0;
       continue;
@@ -155,6 +164,7 @@ Search::Outcome Search::balance() {
       return Outcome::Balanced;
     }
     shift_ = std::max(4.0 * shift_, 1e-6 * scale_);
+    radius_ = 0.5 * step_.lpNorm<Eigen::Infinity>();
     if (++stagnant > 60) return Outcome::Stuck;
   }
   return Outcome::Exhausted;
@@ -196,9 +206,8 @@ double Search::lowestCurvature(Vector& along) {
 
 /// Goes down from a saddle, as far as doubling the way helps; false when the energy does not fall.
 bool Search::leave(const Vector& along) {
-  const double extent = std::max((x_.array() - x_.mean()).abs().maxCoeff(), 1e-3);
   const double sign = F_.dot(along) < 0.0 ? -1.0 : 1.0;
-  double way = sign * 1e-4 * extent / along.lpNorm<Eigen::Infinity>();
+  double way = sign * 1e-4 * extent() / along.lpNorm<Eigen::Infinity>();
   double lowest = energy(x_ + way * along);
   for (int i = 0; i < 30 && !(lowest < E_); ++i) {
     way *= 0.5;
@@ -212,6 +221,8 @@ bool Search::leave(const Vector& along) {
     lowest = further;
   }
   x_ += way * along;
+  shift_ = 0.0;
+  radius_ = std::max(0.1 * extent(), std::abs(way) * along.lpNorm<Eigen::Infinity>());
   return true;
 }
 
@@ -246,7 +257,6 @@ void Search::run() {
       return;
     }
     ++result_.saddlesLeft;
-    shift_ = 0.0;
   }
 }
 

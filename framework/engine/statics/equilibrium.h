@@ -38,8 +38,9 @@ struct StaticResult {
 /// Newton's method with the exact Hessian. Where it is not positive definite (compressed springs, mechanisms, springs
 /// at rest length that have no transverse stiffness) it is shifted until it is, more while steps do worse than
 /// predicted, less while they do well (Levenberg-Marquardt; Nocedal, Wright: Numerical Optimization, ch. 4): each step
-/// lowers the energy. At the end plain Newton steps go on until round-off. Where the forces balance but the Hessian has
-/// a negative eigenvalue the search leaves along its eigenvector, so that no saddle is returned.
+/// lowers the energy, and is at first at most a tenth of the scene's size, so that nodes rarely jump over each other.
+/// At the end plain Newton steps go on until round-off. Where the forces balance but the Hessian has a negative
+/// eigenvalue the search leaves along its eigenvector, so that no saddle is returned.
 ///
 /// start.v is taken as 0; start.z may be empty (the system sets it, with live modes). Forces without potential are left
 /// out; `unbalanced` says what friction would add.
