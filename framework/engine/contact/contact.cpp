@@ -19,8 +19,8 @@ constexpr double apart = 0.0, sticks = 1.0, slips = 2.0;
 }  // namespace
 
 template <int D, class Shape>
-Contact<D, Shape>::Contact(ObstacleData<D> obstacle, Shape shape, std::vector<int> users)
-    : obstacle_(std::move(obstacle)), shape_(std::move(shape)), users_(std::move(users)) {
+Contact<D, Shape>::Contact(ObstacleData<D> obstacle, Shape shape, std::vector<int> users, std::vector<double> masses)
+    : obstacle_(std::move(obstacle)), shape_(std::move(shape)), users_(std::move(users)), masses_(std::move(masses)) {
   stride_ = 1 + (Shape::hasFaces ? 1 : 0) + (hasFriction() ? 1 + D : 0);
 }
 
@@ -278,12 +278,7 @@ void Contact<D, Shape>::commitFriction(int node, const Meeting& m, double* mine)
   }
   const Vector& n = m.touch.normal;
   const Vector along = m.w - n * n.dot(m.w);
-  if (mine[gripAt] == apart) {
-    anchor = m.r;
-    mine[gripAt] = sticks;
-    if (along.isZero(0.0)) atRest_.push_back(node);
-    return;
-  }
+  if (mine[gripAt] == apart) return beginFriction(node, m, along, N, mine);
   const Vector xi = m.r - anchor;
   const auto grip = obstacle_.slider.grip(xi, m.w, n, N);
   const bool turnedBack = mine[gripAt] == slips && along.dot(xi) <= 0.0;
@@ -295,6 +290,23 @@ void Contact<D, Shape>::commitFriction(int node, const Meeting& m, double* mine)
     anchor = m.r + grip.force / obstacle_.slider.k;
   } else {
     mine[gripAt] = sticks;
+  }
+}
+
+/// A node that is new in contact: at rest it asks to be balanced; when it is too fast for the slider to hold, it slips
+/// at once; else the slider starts without stretch.
+template <int D, class Shape>
+void Contact<D, Shape>::beginFriction(int node, const Meeting& m, const Vector& along, double N, double* mine) const {
+  const Slider<D>& slider = obstacle_.slider;
+  const double limit = slider.mu * N, square = along.squaredNorm();
+  Eigen::Map<Vector> anchor(mine + anchorAt);
+  anchor = m.r;
+  mine[gripAt] = sticks;
+  if (square == 0.0) {
+    atRest_.push_back(node);
+  } else if (masses_[static_cast<std::size_t>(node)] * square > limit * limit / slider.k) {
+    mine[gripAt] = slips;
+    anchor -= (limit / slider.k) * along / std::sqrt(square);
   }
 }
 
@@ -345,8 +357,7 @@ double Contact<D, Shape>::sweptBound(const Configuration& at, const double* a, d
     const Eigen::Map<const Vector> acceleration(a + D * i);
     // Towards the face that the node is at now: outside, the box's own memory is of the last commit.
     const Touch<D> now = m.touch.gap > 0.0 ? shape_.touch(m.r, 0) : m.touch;
-    const double time = sweptTime(now.gap, m.w.dot(now.normal), acceleration.dot(now.normal), m.w.norm(),
-                                  acceleration.norm(), thickness);
+    const double time = sweptTime(now.gap, m.w.dot(now.normal), acceleration.dot(now.normal), thickness);
     h = std::min(h, time);
   }
   return h;

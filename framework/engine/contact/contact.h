@@ -32,7 +32,8 @@ struct ObstacleData {
 ///
 /// A node that comes to rest gets the anchor that balances all other forces on it along the surface, as far as
 /// friction can: Coulomb's static friction, without the recoil of a slider that stays stretched to its limit. The
-/// same is done for a node that is at rest in contact at the start.
+/// same is done for a node that is at rest in contact at the start. One that slides at the start, with more kinetic
+/// energy than the slider can store, slips from the start.
 ///
 /// Hessian: k n n^T + k (-depth curvature) P inside a ball (negative: left out of Form::Projected).
 /// Internal variables: the obstacle's phase; then of each node the mode, the face for a box, with friction the grip
@@ -44,7 +45,8 @@ class Contact final : public ForceBatch {
   using Block = Eigen::Matrix<double, D, D>;
 
   /// \param users the user's number of each free node, for messages
-  Contact(ObstacleData<D> obstacle, Shape shape, std::vector<int> users);
+  /// \param masses [kg] of each free node
+  Contact(ObstacleData<D> obstacle, Shape shape, std::vector<int> users, std::vector<double> masses);
 
   bool isConservative() const override;
   bool usesVelocity() const override { return obstacle_.d > 0.0 || hasFriction(); }
@@ -104,11 +106,13 @@ class Contact final : public ForceBatch {
   double normalForce(const Meeting& m, double mode) const;
   double guard(const Meeting& m) const;
   double modeAfter(double old, const Meeting& m) const;
+  void beginFriction(int node, const Meeting& m, const Vector& along, double N, double* mine) const;
   void commitFriction(int node, const Meeting& m, double* mine) const;
 
   ObstacleData<D> obstacle_;
   Shape shape_;
   std::vector<int> users_;
+  std::vector<double> masses_;
   int stride_;
   std::vector<BlockSlot> slots_;
   mutable std::vector<int> atRest_;  ///< nodes whose friction wants to be balanced

@@ -1,12 +1,11 @@
 #pragma once
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace muelle::engine {
 
 /// The part of an obstacle's thickness by which one step may go beyond its surface, or move inside it.
-inline constexpr double sweepFraction = 0.1;
+inline constexpr double sweepFraction = 0.01;
 
 /// Smallest positive time at which a distance falls by `fall` [m, positive] when it changes at `rate` [m/s] with
 /// `acceleration` [m/s^2]; infinite when it never does. The root without cancellation.
@@ -21,21 +20,19 @@ inline double timeToFall(double fall, double rate, double acceleration) {
 }
 
 /// How long a node may move so that no step carries it more than `sweepFraction` of the thickness into an obstacle, or
-/// on inside it.
+/// deeper inside it.
 ///
 /// Outside a convex obstacle the distance to the plane through the nearest point of its surface decides: a node that
 /// comes from afar is stopped just short of it, so that the step that enters is itself a short one (a long step that
-/// ends inside would be thrown back by the whole push times its length). Inside, any movement counts, the push included.
-/// A node at rest, with no net force, bounds nothing.
+/// ends inside would be thrown back by the whole push times its length). Inside, movement along the normal counts, the
+/// push included. A node that rests, or slides, bounds nothing.
 ///
-/// \param gap signed distance [m]   \param rate its rate, \param rateOfRate its acceleration
-/// \param speed, acceleration absolute, relative to the obstacle
-inline double sweptTime(double gap, double rate, double rateOfRate, double speed, double acceleration,
-                        double thickness) {
+/// \param gap signed distance [m]   \param rate its rate [m/s]   \param rateOfRate its acceleration [m/s^2]
+inline double sweptTime(double gap, double rate, double rateOfRate, double thickness) {
   const double allowed = sweepFraction * thickness;
   if (gap > allowed) return timeToFall(gap - 0.5 * allowed, rate, rateOfRate);
   if (gap > 0.0) return timeToFall(allowed, rate, rateOfRate);
-  return timeToFall(allowed, -speed, -acceleration);
+  return timeToFall(allowed, -std::abs(rate), -std::abs(rateOfRate));
 }
 
 }  // namespace muelle::engine

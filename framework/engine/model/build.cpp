@@ -209,6 +209,8 @@ void addObstacles(Builder& builder) {
   const std::vector<int>& axes = builder.numbering.axes;
   const std::vector<int> users(builder.numbering.user.begin(),
                                builder.numbering.user.begin() + builder.numbering.freeNodes);
+  std::vector<double> masses;
+  for (int i = 0; i < builder.numbering.freeNodes; ++i) masses.push_back(builder.node(i).m);
   for (const Obstacle& obstacle : builder.model.obstacles) {
     const ContactMaterial& material = obstacle.material;
     const double kTangential = material.kTangential > 0.0 ? material.kTangential : material.k;
@@ -220,7 +222,7 @@ void addObstacles(Builder& builder) {
                          material.d,
                          {material.mu, kTangential, material.dTangential}};
     const auto add = [&]<class Shape>(Shape shape) {
-      builder.batches.push_back(std::make_unique<Contact<D, Shape>>(std::move(data), std::move(shape), users));
+      builder.batches.push_back(std::make_unique<Contact<D, Shape>>(std::move(data), std::move(shape), users, masses));
     };
     switch (obstacle.kind) {
       case Obstacle::Kind::Plane:

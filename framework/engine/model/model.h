@@ -37,7 +37,7 @@ struct ModelSpring {
 };
 
 /// Three nodes a - b - c that resist bending at b: E = k (theta - theta0)^2 / 2, theta the turning angle at b, 0 when
-/// straight.
+/// straight; in 2D positive anticlockwise, in 3D never negative. Not in 1D.
 struct ModelAngle {
   int a = 0, b = 1, c = 2;
   double k = 1.0;  ///< [J/rad^2]

@@ -165,8 +165,8 @@ TEST(SweptBound, NoStepCarriesANodeThroughASlab) {
     h = system->switching()->sweptBound(s.t, s.x, s.v, s.z, h);
     run(*system, s, h, 1);
   }
-  EXPECT_NEAR(s.v[0], -100.0, 2.0);
-  EXPECT_LT(s.x[0], -8.5) << "rebounds";
+  EXPECT_NEAR(s.v[0], -100.0, 1.0);
+  EXPECT_NEAR(s.x[0], -8.984292, 0.1) << "rebounds";
 }
 
 /// A node on an incline, at rest at the depth at which the plane carries it.
@@ -207,7 +207,7 @@ TEST(Friction, SlidesAboveItsAngleAsCoulombSays) {
 }
 
 TEST(Friction, StopsASlidingNodeWithoutReversal) {
-  const auto system = build(onIncline(0.0, 0.5, 3.0, 1e3));
+  const auto system = build(onIncline(0.0, 0.5, 3.0, 1e3));  // damped while it sticks
   State s = system->initialState();
   double farthest = 0.0, backwards = 0.0;
   run(*system, s, 1e-4, 20'000, [&] {
