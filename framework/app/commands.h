@@ -17,6 +17,7 @@ void addTestTheTests(CLI::App& app, int& status);
 #endif
 #if MUELLE_HAS_ENGINE
 void addRun(CLI::App& app, int& status);
+void addHardCases(CLI::App& app, int& status);
 #endif
 
 /// What `muelle` alone prints: the commands to type next.

@@ -24,7 +24,7 @@ constexpr AddCommand commands[] = {
     addGrade, addTestTheTests,
 #endif
 #if MUELLE_HAS_ENGINE
-    addRun,
+    addRun,   addHardCases,
 #endif
     addTest,  addDocs,
 };

@@ -274,6 +274,7 @@ TEST(H22Pulse, DeclaredTimesMakeItExact) {
 TEST(H22Pulse, WithoutDeclaredTimesItIsRefusedWithoutALargestStep) {
   Model undeclared = pulse();
   undeclared.externalForces[0].times.clear();
+  undeclared.externalForces[0].mayJump = true;
   undeclared.externalForces[0].force = [](double t, int) -> Vec3 {
     return t >= 1.0 && t < 1.001 ? Vec3(1000, 0, 0) : Vec3::Zero();
   };

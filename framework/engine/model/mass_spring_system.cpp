@@ -100,6 +100,10 @@ void MassSpringSystem::forceWithoutDrag(double t, In x, In v, In z, Out f) const
   finish(f);
 }
 
+bool MassSpringSystem::hasUnannouncedForce() const {
+  return std::ranges::any_of(model_.externalForces, &ModelExternalForce::mayJump);
+}
+
 bool MassSpringSystem::forceUsesVelocity() const { return drag_ != nullptr || remainderUsesVelocity(); }
 
 bool MassSpringSystem::remainderUsesVelocity() const {
@@ -177,8 +181,20 @@ void MassSpringSystem::assemble(double cM, double cD, double cK, double t, In x,
   }
 }
 
+bool MassSpringSystem::onlyDistances() const {
+  return std::ranges::all_of(
+      batches_, [](const auto& batch) { return batch->constraintCount() == 0 || batch->constraintsAreDistances(); });
+}
+
+void MassSpringSystem::extend(double t, In x, std::vector<double>& all) const {
+  const Configuration at = gather(t, x, zeroVelocity_, {}, first_);
+  all.assign(at.x, at.x + (hasFixed_ ? first_.x.size() : x.size()));
+}
+
 bool MassSpringSystem::evaluate(int j, double t, In x, In z, Constraint& out) const {
-  const Configuration at = gather(t, x, zeroVelocity_, z, first_);
+  const bool extended = x.size() > static_cast<std::size_t>(size_);
+  const Configuration at =
+      extended ? Configuration{t, x.data(), first_.v.data(), z.data()} : gather(t, x, zeroVelocity_, z, first_);
   const auto next = std::upper_bound(constraintStart_.begin(), constraintStart_.end(), j);
   const auto batch = static_cast<std::size_t>(next - constraintStart_.begin()) - 1;
   return batches_[batch]->evaluateConstraint(j - constraintStart_[batch], at, size_, out);

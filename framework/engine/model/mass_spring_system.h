@@ -34,6 +34,7 @@ class MassSpringSystem final : public ModelSystem,
   void force(double t, In x, In v, In z, Out f) const override;
   int internalSize() const override { return internalSize_; }
   bool forceUsesVelocity() const override;
+  bool hasUnannouncedForce() const override;
   const Potential* potential() const override { return this; }
   const Drag* drag() const override { return drag_ ? this : nullptr; }
   const Linearisation* linearisation() const override { return this; }
@@ -67,6 +68,8 @@ class MassSpringSystem final : public ModelSystem,
   void assemble(double cM, double cD, double cK, double t, In x, In v, In z, Form form, SystemMatrix& J) const override;
   // Constraints
   int count() const override { return static_cast<int>(constraintStart_.back()); }
+  bool onlyDistances() const override;
+  void extend(double t, In x, std::vector<double>& all) const override;
   bool evaluate(int j, double t, In x, In z, Constraint& out) const override;
   void externalForce(double t, In x, In v, In z, Out f) const override;
   std::string leftOut() const override;

@@ -84,6 +84,9 @@ struct ModelExternalForce {
   /// both sides of a jump are seen from their own side).
   std::function<Vec3(double t, int segment)> force;
   std::vector<double> times;  ///< where the force jumps [s], ascending
+  /// It may jump at other times too, which nobody knows: an adaptive method then wants a largest step, or it could pass
+  /// over a pulse without seeing it.
+  bool mayJump = false;
 };
 
 /// What an obstacle does to a node that goes through its surface: a penalty force k depth along the outward normal n,

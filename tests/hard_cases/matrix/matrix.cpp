@@ -1,0 +1,148 @@
+#include "matrix/matrix.h"
+
+#include "engine/integrators/catalogue.h"
+#include "harness/text/nearest.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+namespace muelle::hard_cases {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+void refuseUnknown(const std::vector<std::string>& asked, const std::vector<std::string>& known, const char* what) {
+  for (const std::string& name : asked) {
+    if (std::ranges::find(known, name) != known.end()) continue;
+    const std::string guess = didYouMean(name, known);
+    throw std::invalid_argument(fmt::format(
+        "no {} '{}'{}", what, name, guess.empty() ? fmt::format("; there are {}", fmt::join(known, ", ")) : guess));
+  }
+}
+
+engine::RunOptions optionsOf(const engine::MethodInfo& method, const Variant& variant, double duration, bool longRuns) {
+  engine::RunOptions options = method.adaptive ? withTolerance(variant.steps.tolerance, duration)
+                                               : fixedStep(variant.steps.of(method), duration);
+  options.mostForceEvaluations = cellBudget * (longRuns ? 1000 : 1);
+  if (!method.adaptive && !longRuns) options.mostForceEvaluations *= 100;  // the number of steps is their bound
+  return options;
+}
+
+/// H24 for one method: steps and states that must be refused. The number of those that were not.
+double acceptedInputs(const std::string& method, const Variant& variant) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  int accepted = 0;
+  const auto system = engine::build(variant.model);
+  const auto tryRun = [&](const State& start, const engine::RunOptions& options) {
+    try {
+      const engine::RunResult result = engine::simulate(*system, *engine::makeMethod(method), start, options);
+      if (!result.failed()) ++accepted;
+    } catch (const std::invalid_argument&) {
+    }
+  };
+  for (const double h : {0.0, -0.01, nan}) {
+    engine::RunOptions options = fixedStep(h, 1.0);
+    tryRun(system->initialState(), options);
+  }
+  for (const double bad : {nan, infinite}) {
+    State start = system->initialState();
+    start.x[0] = bad;
+    tryRun(start, fixedStep(0.01, 1.0));
+    start = system->initialState();
+    start.v[0] = bad;
+    tryRun(start, fixedStep(0.01, 1.0));
+  }
+  return accepted;
+}
+
+void judge(Cell& cell, const Variant& variant) {
+  const bool passes = cell.error <= variant.bar;
+  cell.outcome = passes                                              ? Outcome::Passed
+                 : cell.prediction.expectation == Expectation::Fails ? Outcome::FailedAsPredicted
+                                                                     : Outcome::FailedUnexpectedly;
+}
+
+}  // namespace
+
+int Matrix::count(Outcome outcome) const {
+  return static_cast<int>(std::ranges::count_if(cells, [=](const Cell& cell) { return cell.outcome == outcome; }));
+}
+
+Matrix planMatrix(const MatrixOptions& options) {
+  Matrix matrix;
+  std::vector<std::string> ids;
+  for (Variant& variant : allVariants()) {
+    if (ids.empty() || ids.back() != variant.id) ids.push_back(variant.id);
+    if (options.cases.empty() || std::ranges::find(options.cases, variant.id) != options.cases.end()) {
+      matrix.variants.push_back(std::move(variant));
+    }
+  }
+  refuseUnknown(options.cases, ids, "hard case");
+  refuseUnknown(options.methods, engine::methodIds(), "method");
+  matrix.methods = options.methods.empty() ? engine::methodIds() : options.methods;
+  return matrix;
+}
+
+Cell runCell(const std::string& method, const Variant& variant, const MatrixOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const engine::MethodInfo& info = engine::methodInfo(method);
+  const double duration = options.longRuns && variant.longDuration > 0.0 ? variant.longDuration : variant.duration;
+  Cell cell;
+  cell.method = method;
+  cell.setting = variant.inputs  ? "h = 0, below 0, nan"
+                 : info.adaptive ? fmt::format("tolerance {:.0e}", variant.steps.tolerance)
+                                 : fmt::format("h = {:.4g} s", variant.steps.of(info));
+  try {
+    Finished end;
+    end.system = engine::build(variant.model);
+    const engine::RunOptions runOptions = optionsOf(info, variant, duration, options.longRuns);
+    cell.prediction = predict(info, variant, *end.system, duration, runOptions.mostForceEvaluations);
+    if (variant.inputs) {
+      cell.error = acceptedInputs(method, variant);
+      judge(cell, variant);
+    } else if (cell.prediction.expectation == Expectation::NotApplicable) {
+      // It must say so itself, before the first step.
+      try {
+        engine::makeMethod(method)->prepare(*end.system, runOptions.tolerance);
+        cell.note = "was expected to refuse the system, and did not";
+      } catch (const std::invalid_argument& refusal) {
+        cell.outcome = Outcome::NotApplicable;
+        cell.note = refusal.what();
+      }
+    } else {
+      end.result = engine::simulate(*end.system, *engine::makeMethod(method), end.system->initialState(), runOptions);
+      cell.work = end.result.work;
+      cell.error = end.result.failed() ? infinite : variant.error(end);
+      if (!std::isfinite(cell.error)) cell.error = infinite;
+      if (end.result.failed()) cell.note = end.result.trajectory.stop.message;
+      judge(cell, variant);
+    }
+  } catch (const std::exception& error) {
+    cell.error = infinite;
+    cell.outcome = Outcome::FailedUnexpectedly;
+    cell.note = error.what();
+  }
+  cell.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return cell;
+}
+
+void runMatrix(Matrix& matrix, const MatrixOptions& options, const std::function<void(double)>& progress) {
+  matrix.cells.clear();
+  const std::size_t all = matrix.methods.size() * matrix.variants.size();
+  for (const std::string& method : matrix.methods) {
+    for (std::size_t v = 0; v < matrix.variants.size(); ++v) {
+      progress(static_cast<double>(matrix.cells.size()) / static_cast<double>(all));
+      Cell cell = runCell(method, matrix.variants[v], options);
+      cell.variant = v;
+      matrix.cells.push_back(std::move(cell));
+    }
+  }
+}
+
+}  // namespace muelle::hard_cases

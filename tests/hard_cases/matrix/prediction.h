@@ -1,0 +1,33 @@
+#pragma once
+#include "matrix/variant.h"
+
+#include <string>
+#include <vector>
+
+namespace muelle::hard_cases {
+
+enum class Expectation { Passes, Fails, NotApplicable };
+
+/// What is expected of a method on a variant, before it runs.
+struct Prediction {
+  Expectation expectation = Expectation::Passes;
+  int rule = 0;        ///< index into predictionRules()
+  double error = 0.0;  ///< foreseen, in the variant's measure; infinite when the motion grows without bound
+  std::string text;    ///< one line with the numbers: "h omega = 16.7 beyond its limit of 2"
+};
+
+/// The rules from which all predictions follow, in the order in which they are asked.
+struct PredictionRule {
+  std::string name;
+  std::string reason;
+};
+const std::vector<PredictionRule>& predictionRules();
+
+/// Most force evaluations that a cell may spend (ten times as many with --long).
+inline constexpr long long cellBudget = 3'000'000;
+
+/// Predicts from the method's MethodInfo, the case's facts and the system's capabilities; nothing is run.
+Prediction predict(const engine::MethodInfo& method, const Variant& variant, const engine::System& system,
+                   double duration, long long budget);
+
+}  // namespace muelle::hard_cases

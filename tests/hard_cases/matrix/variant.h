@@ -1,0 +1,61 @@
+#pragma once
+#include "matrix/linear_theory.h"
+#include "models.h"
+#include "running.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace muelle::hard_cases {
+
+/// The step of each kind of method, and the tolerance of those that choose theirs.
+struct Steps {
+  double first = 1e-3;      ///< [s] explicit methods of order 1 and 2, and the position based ones
+  double fourth = 1e-3;     ///< [s] explicit, order 4
+  double eighth = 1e-2;     ///< [s] explicit, order 8
+  double implicit = 1e-3;   ///< [s]
+  double tolerance = 1e-8;  ///< relative and absolute
+
+  double of(const engine::MethodInfo& method) const;
+};
+
+/// Which number a cell is judged by.
+enum class Measure {
+  Error,         ///< distance from the reference [m]
+  Energy,        ///< relative change of an invariant that is quadratic in the motion (energy, angular momentum)
+  AngularSpeed,  ///< relative change of the angular momentum
+  Size,          ///< what is left of the motion [m]: it should be bounded, or gone
+};
+
+/// A case as it is run in the matrix: what, for how long, at which steps, and what counts as passed; and the facts from
+/// which the outcome is predicted.
+struct Variant {
+  std::string id;        ///< "H04"
+  std::string name;      ///< "regular": when a case has several variants
+  std::string measured;  ///< "distance from the reference at t = 10 s [m]"
+  Model model;
+  double duration = 1.0;      ///< [s]
+  double longDuration = 0.0;  ///< [s] with --long; 0: as duration
+  double bar = 1e-3;          ///< largest error that passes
+  Steps steps;
+  std::function<double(const Finished&)> error;
+  Measure measure = Measure::Error;
+
+  // Facts for the prediction.
+  std::vector<Mode> modes;
+  double flightAcceleration =
+      0.0;                  ///< [m/s^2] of a ballistic part of the motion, by which first order methods are off ...
+  double flightTime = 0.0;  ///< ... after this time [s]
+  double flightSensitivity = 1.0;  ///< error at the end for an error of 1 m in the flight
+  double stiffest = 0.0;           ///< [1/s] omega of the stiffest mode of a non-linear scene with large motions
+  int coupled = 1;                 ///< constraints that act on each other: an iteration does not solve them at once
+  bool inputs = false;             ///< not a run: steps and states that must be refused (H24)
+
+  std::string label() const { return name.empty() ? id : id + " " + name; }
+};
+
+/// All variants, in the order of the cases.
+std::vector<Variant> allVariants();
+
+}  // namespace muelle::hard_cases
