@@ -45,9 +45,6 @@ void requireId(const std::string& id) {
       fmt::format("Figure: an id is 1 to {} letters, digits and _, because it names the files", longest));
 }
 
-/// gnuplot ends a file with this when it got to the end of the script.
-bool isComplete(const std::string& svg) { return svg.find("</svg>") != std::string::npos; }
-
 void publish(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::rename(from, to, error);
@@ -65,8 +62,14 @@ Figure::Figure(std::string id, std::string title, std::string xLabel)
 
 Figure::PanelBuilder Figure::panel(std::string yLabel) {
   requirePlain("label of a y axis", yLabel);
-  panels_.push_back({std::move(yLabel), {}, false});
+  panels_.push_back({std::move(yLabel), {}});
   return {*this, panels_.size() - 1};
+}
+
+Figure& Figure::slide(int columns) {
+  if (columns < 1) throw std::invalid_argument(fmt::format("Figure '{}': a slide has columns, not {}", id_, columns));
+  columns_ = columns;
+  return *this;
 }
 
 Figure& Figure::equalAxes() {
@@ -85,7 +88,11 @@ Figure::PanelBuilder& Figure::PanelBuilder::add(Series series) {
     throw std::invalid_argument(
         fmt::format("Figure: the curve '{}' has {} x and {} y", series.name, series.x.size(), series.y.size()));
   }
-  figure_.panels_[index_].series.push_back(std::move(series));
+  if (series.pen == Pen::Arrows && (series.dx.size() != series.x.size() || series.dy.size() != series.x.size())) {
+    throw std::invalid_argument(fmt::format("Figure: the arrows '{}' have {} feet and {} dx, {} dy", series.name,
+                                            series.x.size(), series.dx.size(), series.dy.size()));
+  }
+  panel().series.push_back(std::move(series));
   return *this;
 }
 
@@ -101,8 +108,87 @@ Figure::PanelBuilder& Figure::PanelBuilder::points(std::string name, std::vector
   return add({std::move(name), std::move(x), std::move(y), Pen::Points});
 }
 
+Figure::PanelBuilder& Figure::PanelBuilder::linePoints(std::string name, std::vector<double> x, std::vector<double> y) {
+  return add({std::move(name), std::move(x), std::move(y), Pen::LinePoints});
+}
+
+Figure::PanelBuilder& Figure::PanelBuilder::arrows(std::string name, std::vector<double> x, std::vector<double> y,
+                                                   std::vector<double> dx, std::vector<double> dy) {
+  return add({std::move(name), std::move(x), std::move(y), Pen::Arrows, std::move(dx), std::move(dy)});
+}
+
+Figure::PanelBuilder& Figure::PanelBuilder::cells(std::string name, std::vector<double> x, std::vector<double> y) {
+  return add({std::move(name), std::move(x), std::move(y), Pen::Cells});
+}
+
+Figure::PanelBuilder& Figure::PanelBuilder::colour(int position) {
+  if (panel().series.empty()) throw std::invalid_argument("Figure: colour() before any curve");
+  panel().series.back().colour = position;
+  return *this;
+}
+
 Figure::PanelBuilder& Figure::PanelBuilder::logY() {
-  figure_.panels_[index_].logY = true;
+  panel().logY = true;
+  return *this;
+}
+
+Figure::PanelBuilder& Figure::PanelBuilder::logX() {
+  panel().logX = true;
+  return *this;
+}
+
+Figure::PanelBuilder& Figure::PanelBuilder::equalAxes() {
+  panel().equalAxes = true;
+  return *this;
+}
+
+Figure::PanelBuilder& Figure::PanelBuilder::heading(std::string text) {
+  requirePlain("heading", text);
+  panel().heading = std::move(text);
+  return *this;
+}
+
+Figure::PanelBuilder& Figure::PanelBuilder::xLabel(std::string text) {
+  requirePlain("label of an x axis", text);
+  panel().xLabel = std::move(text);
+  return *this;
+}
+
+Figure::PanelBuilder& Figure::PanelBuilder::xRange(double low, double high) {
+  panel().xRange = {low, high};
+  return *this;
+}
+
+Figure::PanelBuilder& Figure::PanelBuilder::yRange(double low, double high) {
+  panel().yRange = {low, high};
+  return *this;
+}
+
+Figure::PanelBuilder& Figure::PanelBuilder::note(double x, double y, std::string text, bool centred) {
+  requirePlain("note", text);
+  panel().notes.push_back({x, y, std::move(text), centred});
+  return *this;
+}
+
+Figure::PanelBuilder& Figure::PanelBuilder::field(Field field) {
+  requirePlain("label of the colours", field.label);
+  if (field.x.size() < 2 || field.y.size() < 2 || field.values.size() != field.x.size() * field.y.size()) {
+    throw std::invalid_argument(
+        fmt::format("Figure: {} values for a grid of {} by {}", field.values.size(), field.x.size(), field.y.size()));
+  }
+  panel().field = std::move(field);
+  return *this;
+}
+
+Figure::PanelBuilder& Figure::PanelBuilder::xNames(std::vector<std::string> names) {
+  for (const std::string& name : names) requirePlain("name on an axis", name);
+  panel().xNames = std::move(names);
+  return *this;
+}
+
+Figure::PanelBuilder& Figure::PanelBuilder::yNames(std::vector<std::string> names) {
+  for (const std::string& name : names) requirePlain("name on an axis", name);
+  panel().yNames = std::move(names);
   return *this;
 }
 
@@ -139,7 +225,34 @@ Figure Figure::over(const Figure& reference) const {
 
 void Figure::write(const fs::path& folder) const { writeFigures({*this}, folder); }
 
-void writeFigures(const std::vector<Figure>& figures, const fs::path& folder) {
+namespace {
+
+const char* extensionOf(Format format) {
+  switch (format) {
+    case Format::Pdf:
+      return ".pdf";
+    case Format::Png:
+      return ".png";
+    case Format::Svg:
+      break;
+  }
+  return ".svg";
+}
+
+/// A drawing that was broken off ends otherwise.
+bool isComplete(const std::string& drawing, Format format) {
+  const char* end = format == Format::Svg ? "</svg>" : format == Format::Pdf ? "%%EOF" : "IEND";
+  return drawing.find(end) != std::string::npos;
+}
+
+/// The name of the script of a format: the SVG's is the one that stays.
+std::string scriptName(const Figure& figure, Format format) {
+  return figure.id() + (format == Format::Svg ? "" : std::string(extensionOf(format))) + ".gp";
+}
+
+}  // namespace
+
+void writeFigures(const std::vector<Figure>& figures, const fs::path& folder, const std::vector<Format>& formats) {
   if (figures.empty()) return;
   std::set<std::string> ids;
   for (const Figure& figure : figures) {
@@ -150,19 +263,27 @@ void writeFigures(const std::vector<Figure>& figures, const fs::path& folder) {
   const TemporaryFolder work(folder);
   std::vector<std::string> scripts;
   for (const Figure& figure : figures) {
-    const FigureText text = figureText(figure);
-    writeFile(work.path() / (figure.id() + ".dat"), text.data);
-    writeFile(work.path() / (figure.id() + ".gp"), text.script);
-    scripts.push_back(figure.id() + ".gp");
+    for (const Format format : formats) {
+      const FigureText text = figureText(figure, format);
+      writeFile(work.path() / (figure.id() + ".dat"), text.data);
+      scripts.push_back(scriptName(figure, format));
+      writeFile(work.path() / scripts.back(), text.script);
+    }
   }
   runGnuplot(work.path(), scripts);
   for (const Figure& figure : figures) {
-    if (isComplete(readFile(work.path() / (figure.id() + ".svg")))) continue;
-    throw std::runtime_error(fmt::format("gnuplot drew no complete figure '{}'", figure.id()));
+    for (const Format format : formats) {
+      if (isComplete(readFile(work.path() / (figure.id() + extensionOf(format))), format)) continue;
+      throw std::runtime_error(fmt::format("gnuplot drew no complete figure '{}'", figure.id()));
+    }
   }
-  for (const std::string& id : ids) {
-    for (const char* extension : {".dat", ".gp", ".svg"})
-      publish(work.path() / (id + extension), folder / (id + extension));
+  for (const Figure& figure : figures) {
+    publish(work.path() / (figure.id() + ".dat"), folder / (figure.id() + ".dat"));
+    for (const Format format : formats) {
+      const std::string drawing = figure.id() + extensionOf(format);
+      publish(work.path() / drawing, folder / drawing);
+      if (format == Format::Svg) publish(work.path() / scriptName(figure, format), folder / scriptName(figure, format));
+    }
   }
 }
 

@@ -1,15 +1,20 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace muelle {
 
 /// How a curve is drawn; the colours are told apart by the colour-blind (Okabe and Ito 2008).
 enum class Pen {
-  Line,       ///< solid, next colour of the palette
-  Reference,  ///< dashed grey, drawn underneath: what the curve should follow
-  Points,     ///< markers, next colour of the palette
+  Line,        ///< solid, next colour of the palette
+  Reference,   ///< dashed grey, drawn underneath: what the curve should follow
+  Points,      ///< markers, next colour of the palette
+  LinePoints,  ///< a line with a marker at each point: few points, such as errors against steps
+  Arrows,      ///< from (x, y) by (dx, dy), next colour of the palette
+  Cells,       ///< filled unit squares about the points: categories in a table
 };
 
 /// One curve: numbers and the name in the key.
@@ -18,14 +23,47 @@ struct Series {
   std::vector<double> x;
   std::vector<double> y;
   Pen pen = Pen::Line;
+  std::vector<double> dx = {};  ///< of arrows
+  std::vector<double> dy = {};
+  int colour = -1;  ///< position in the palette, from 0; -1: the next one
 };
 
-/// One plot of a figure; panels are stacked and share the x axis's label.
+/// A few words at a point of a plot.
+struct Note {
+  double x, y;
+  std::string text;
+  bool centred;  ///< else to the right of the point
+};
+
+/// Values over a rectangle, shown by colour in bands.
+struct Field {
+  std::vector<double> x, y;    ///< grid lines, ascending and equally spaced
+  std::vector<double> values;  ///< y.size() rows of x.size()
+  std::string label;           ///< of the colour scale, with its unit
+};
+
+/// The ends of an axis that is not left to the data.
+using FixedRange = std::optional<std::pair<double, double>>;
+
+/// One plot of a figure. Panels are stacked and share the x axis, unless the figure is a slide.
 struct Panel {
   std::string yLabel;  ///< with its unit: "height [m]"
   std::vector<Series> series;
   bool logY = false;
+  // The rest is for slides.
+  std::string xLabel = {};  ///< empty: the figure's
+  std::string heading = {};
+  bool logX = false;
+  bool equalAxes = false;
+  std::vector<Note> notes = {};
+  std::optional<Field> field = {};
+  FixedRange xRange = {}, yRange = {};
+  std::vector<std::string> xNames = {};  ///< instead of the numbers 0, 1, 2 ... on the axis
+  std::vector<std::string> yNames = {};
 };
+
+/// What a figure is written as.
+enum class Format { Svg, Pdf, Png };
 
 /// The one way to draw a plot: a data file, a gnuplot script that can be run again by hand, and an SVG.
 ///
@@ -40,6 +78,8 @@ struct Panel {
 /// 1e100 are gaps in a curve, as are those below or at zero on a logarithmic axis; a curve with no point left says "no
 /// data". A linear axis never shows round-off: values that differ by less than 1e-9 of their size, or are all
 /// below 1e-12, look constant.
+///
+/// Figures for lectures are slides: see slide().
 class Figure {
  public:
   /// Adds curves to one panel; stays valid while the figure stays where it is. Throws std::invalid_argument when x and
@@ -50,10 +90,33 @@ class Figure {
     PanelBuilder& line(std::string name, std::vector<double> x, std::vector<double> y);
     PanelBuilder& reference(std::string name, std::vector<double> x, std::vector<double> y);
     PanelBuilder& points(std::string name, std::vector<double> x, std::vector<double> y);
+    PanelBuilder& linePoints(std::string name, std::vector<double> x, std::vector<double> y);
     PanelBuilder& logY();
+
+    /// Arrows from (x, y) by (dx, dy), in the units of the axes.
+    PanelBuilder& arrows(std::string name, std::vector<double> x, std::vector<double> y, std::vector<double> dx,
+                         std::vector<double> dy);
+    /// A category of a table: a square about each point, one wide and one high.
+    PanelBuilder& cells(std::string name, std::vector<double> x, std::vector<double> y);
+    /// The palette's colour for the curve added last, so that one thing has one colour in several panels.
+    PanelBuilder& colour(int position);
+    // For slides:
+    PanelBuilder& heading(std::string text);
+    PanelBuilder& xLabel(std::string text);
+    PanelBuilder& logX();
+    PanelBuilder& equalAxes();
+    PanelBuilder& xRange(double low, double high);
+    PanelBuilder& yRange(double low, double high);
+    PanelBuilder& note(double x, double y, std::string text, bool centred = false);
+    /// Throws std::invalid_argument when the values do not fill the grid.
+    PanelBuilder& field(Field field);
+    /// Names instead of 0, 1, 2 ... along an axis.
+    PanelBuilder& xNames(std::vector<std::string> names);
+    PanelBuilder& yNames(std::vector<std::string> names);
 
    private:
     PanelBuilder& add(Series series);
+    Panel& panel() { return figure_.panels_[index_]; }
 
     Figure& figure_;
     std::size_t index_;
@@ -68,11 +131,16 @@ class Figure {
   /// Logarithmic x axis: for errors against steps.
   Figure& logX();
 
+  /// For a lecture: 16 : 9, panels side by side in so many columns, each with an x axis of its own.
+  Figure& slide(int columns = 1);
+
   const std::string& id() const { return id_; }
   const std::string& title() const { return title_; }
   const std::string& xLabel() const { return xLabel_; }
   bool hasEqualAxes() const { return equalAxes_; }
   bool hasLogX() const { return logX_; }
+  bool isSlide() const { return columns_ > 0; }
+  int columns() const { return columns_; }  ///< of a slide; otherwise 0
   const std::vector<Panel>& panels() const { return panels_; }
 
   /// This figure with the curves of `reference` underneath in the reference pen: what the grader draws, a submission's
@@ -92,11 +160,14 @@ class Figure {
   std::string xLabel_;
   bool equalAxes_ = false;
   bool logX_ = false;
+  int columns_ = 0;
   std::vector<Panel> panels_;
 };
 
 /// Writes several figures at once, with a single run of gnuplot (each start costs 20 ms): all of them or none.
-/// Throws std::invalid_argument when two share an id; otherwise as Figure::write.
-void writeFigures(const std::vector<Figure>& figures, const std::filesystem::path& folder);
+/// Throws std::invalid_argument when two share an id; otherwise as Figure::write. A PNG of a slide has 1280 x 720
+/// pixels, of another figure a width of 1280.
+void writeFigures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
+                  const std::vector<Format>& formats = {Format::Svg});
 
 }  // namespace muelle

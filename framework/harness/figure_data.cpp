@@ -111,4 +111,33 @@ std::string dataBlock(const Series& series, bool logX, bool logY) {
   return text;
 }
 
+std::string arrowBlock(const Series& series) {
+  std::string text;
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    const double numbers[] = {series.x[i], series.y[i], series.dx[i], series.dy[i]};
+    if (!std::all_of(std::begin(numbers), std::end(numbers), [](double n) { return isDrawable(n, false); })) continue;
+    fmt::format_to(std::back_inserter(text), "{:.12g} {:.12g} {:.12g} {:.12g}\n", numbers[0], numbers[1], numbers[2],
+                   numbers[3]);
+  }
+  return text;
+}
+
+std::string fieldBlock(const Field& field) {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  for (std::size_t j = 0; j < field.y.size(); ++j) {
+    for (std::size_t i = 0; i < field.x.size(); ++i) {
+      const double value = field.values[j * field.x.size() + i];
+      fmt::format_to(out, "{:.8g} {:.8g} ", field.x[i], field.y[j]);
+      if (isDrawable(value, false)) {
+        fmt::format_to(out, "{:.8g}\n", value);
+      } else {
+        text += "NaN\n";
+      }
+    }
+    text += '\n';
+  }
+  return text;
+}
+
 }  // namespace muelle

@@ -11,4 +11,10 @@ namespace muelle {
 /// than 1/2000 of its extent. Empty when no point can be drawn.
 std::string dataBlock(const Series& series, bool logX, bool logY);
 
+/// The lines "x y dx dy" of arrows; those with a number that is not finite are left out.
+std::string arrowBlock(const Series& series);
+
+/// The lines "x y value" of a field, a blank line after each row.
+std::string fieldBlock(const Field& field);
+
 }  // namespace muelle

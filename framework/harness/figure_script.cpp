@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <initializer_list>
 
 namespace muelle {
 
@@ -23,8 +24,15 @@ constexpr double footHeight = 72;  // numbers and label of the x axis
 constexpr double singleHeight = 386;
 constexpr double stackedHeight = 196;
 constexpr double equalHeight = 500;
-constexpr double characterWidth = 9.0;  // of the 17 px font, on the generous side: the viewer chooses the face
-constexpr double sampleLength = 40;     // the piece of line before a name in the key
+constexpr double slideHeight = 540;  // 16 : 9
+constexpr double slideFoot = 66;     // numbers and label of an x axis
+constexpr double headingHeight = 26;
+constexpr double columnGap = 26;
+constexpr double colourScale = 92;           // room for a field's colour scale, its numbers and its label
+constexpr double nameWidth = 7.4;            // of a character of the names along an axis
+constexpr double scaleOfSlides = 4.0 / 3.0;  // 1280 pixels for 960
+constexpr double characterWidth = 10.0;      // of the 17 px font, on the generous side: the viewer chooses the face
+constexpr double sampleLength = 40;          // the piece of line before a name in the key
 constexpr double sampleGap = 8;
 constexpr double entryGap = 20;
 
@@ -63,7 +71,8 @@ struct Curve {
   const Series* series;
   int block;  ///< index in the data file; -1: no point to draw
   bool asPoints;
-  int style;  ///< number of the line style
+  int style;      ///< number of the line style
+  int markStyle;  ///< of the mark in the key: a square for cells
 
   std::string nameInKey() const {
     return block >= 0 || series->name.empty() ? series->name : series->name + " (no data)";
@@ -74,18 +83,19 @@ struct Curve {
 /// The curves that have a name, in rows from the top. The first row shares its line with the y label and may be empty.
 using KeyRows = std::vector<std::vector<Curve>>;
 
-KeyRows keyRows(const std::vector<Curve>& curves, const std::string& yLabel) {
+/// \param width from the y label's beginning to the plot's right end
+KeyRows keyRows(const std::vector<Curve>& curves, const std::string& yLabel, double width) {
   KeyRows rows(1);
-  double room = plotRight - plotLeft + labelIndent - widthOf(yLabel) - entryGap;
+  double room = width - widthOf(yLabel) - entryGap;
   for (const Curve& curve : curves) {
     if (curve.series->name.empty()) continue;
-    const double width = curve.widthInKey() + entryGap;
+    const double entry = curve.widthInKey() + entryGap;
     const bool isAlone = rows.size() > 1 && rows.back().empty();
-    if (width > room && !isAlone) {
+    if (entry > room && !isAlone) {
       rows.emplace_back();
-      room = plotRight - plotLeft;
+      room = width - labelIndent;
     }
-    room -= width;
+    room -= entry;
     rows.back().push_back(curve);
   }
   return rows;
@@ -102,10 +112,19 @@ struct PanelPlan {
   KeyRows key;
   AxisRange x, y;
   Box box;
+  int fieldBlock = -1;  ///< index of the field in the data file
 };
 
 bool anyPoints(const Panel& panel) {
-  return std::any_of(panel.series.begin(), panel.series.end(), [](const Series& s) { return s.pen == Pen::Points; });
+  return std::any_of(panel.series.begin(), panel.series.end(),
+                     [](const Series& s) { return s.pen != Pen::Line && s.pen != Pen::Reference; });
+}
+
+/// Room left of the plot, for the numbers or names of the y axis.
+double leftMargin(const Panel& panel) {
+  double widest = 0;
+  for (const std::string& name : panel.yNames) widest = std::max(widest, static_cast<double>(name.size()));
+  return std::max(plotLeft, 20 + nameWidth * widest);
 }
 
 /// The curves in the order in which the key names them: the simulated ones first.
@@ -118,9 +137,9 @@ std::vector<const Series*> inKeyOrder(const Panel& panel) {
 
 class ScriptWriter {
  public:
-  explicit ScriptWriter(const Figure& figure) : figure_(figure), canvas_(0) {
+  ScriptWriter(const Figure& figure, Format format) : figure_(figure), format_(format), canvas_(0) {
     planPanels();
-    placePanels();
+    figure.isSlide() ? placeOnSlide() : placePanels();
   }
 
   FigureText write() {
@@ -137,42 +156,82 @@ class ScriptWriter {
   }
 
   void planPanels() {
-    AxisFitter xs(figure_.hasLogX());
+    AxisFitter shared(figure_.hasLogX());
     bool points = figure_.hasEqualAxes();
-    int blocks = 0;
     data_ = "# " + figure_.title() + '\n';
     for (const Panel& panel : figure_.panels()) {
       points = points || anyPoints(panel);
       PanelPlan plan{&panel, {}, {}, {}, {}, {}};
+      AxisFitter own(logX(panel));
       AxisFitter ys(panel.logY);
+      if (panel.field) addField(*panel.field, plan, own, ys);
       int colour = 0;
       for (const Series* series : inKeyOrder(panel)) {
-        addBlock(*series, panel, blocks, plan, colour);
-        for (std::size_t i = 0; i < series->x.size(); ++i) {
-          if (!isDrawable(series->x[i], figure_.hasLogX()) || !isDrawable(series->y[i], panel.logY)) continue;
-          xs.include(series->x[i]);
-          ys.include(series->y[i]);
-        }
+        addBlock(*series, panel, plan, colour);
+        for (std::size_t i = 0; i < series->x.size(); ++i) includePoint(*series, i, panel, {&own, &shared}, ys);
       }
-      plan.key = keyRows(plan.curves, panel.yLabel);
-      plan.y = ys.range(0.06);
+      const bool isTable = !panel.yNames.empty() || panel.field.has_value();
+      const double margin = !isTable && (anyPoints(panel) || panel.equalAxes) ? 0.04 : 0.0;
+      plan.x = fixedOr(panel.xRange, own.range(margin));
+      plan.y = fixedOr(panel.yRange, ys.range(isTable ? 0.0 : 0.06));
       plans_.push_back(std::move(plan));
     }
-    for (PanelPlan& plan : plans_) plan.x = xs.range(points ? 0.04 : 0.0);
+    for (PanelPlan& plan : plans_) {
+      if (!figure_.isSlide()) plan.x = shared.range(points ? 0.04 : 0.0);
+      const double width = figure_.isSlide() ? columnWidth() - leftMargin(*plan.panel) : plotRight - plotLeft;
+      plan.key = keyRows(plan.curves, plan.panel->yLabel, width + labelIndent);
+    }
   }
 
-  void addBlock(const Series& series, const Panel& panel, int& blocks, PanelPlan& plan, int& colour) {
-    const std::string lines = dataBlock(series, figure_.hasLogX(), panel.logY);
+  bool logX(const Panel& panel) const { return figure_.hasLogX() || panel.logX; }
+  static AxisRange fixedOr(const FixedRange& fixed, AxisRange range) {
+    return fixed ? AxisRange{fixed->first, fixed->second} : range;
+  }
+
+  void includePoint(const Series& series, std::size_t i, const Panel& panel, std::initializer_list<AxisFitter*> xs,
+                    AxisFitter& ys) {
+    if (!isDrawable(series.x[i], logX(panel)) || !isDrawable(series.y[i], panel.logY)) return;
+    const double half = series.pen == Pen::Cells ? 0.5 : 0.0;
+    for (const double side : {-half, half}) {
+      for (AxisFitter* x : xs) x->include(series.x[i] + side);
+      ys.include(series.y[i] + side);
+    }
+    if (series.pen != Pen::Arrows) return;
+    for (AxisFitter* x : xs) x->include(series.x[i] + series.dx[i]);
+    ys.include(series.y[i] + series.dy[i]);
+  }
+
+  /// Where the next block of the data file stands.
+  std::string separator() const { return blocks_ > 0 ? "\n\n" : ""; }
+
+  void addField(const Field& field, PanelPlan& plan, AxisFitter& xs, AxisFitter& ys) {
+    for (const double x : {field.x.front(), field.x.back()}) xs.include(x);
+    for (const double y : {field.y.front(), field.y.back()}) ys.include(y);
+    data_ += fmt::format("{}# block {}: {}\n{}", separator(), blocks_, field.label, fieldBlock(field));
+    plan.fieldBlock = blocks_++;
+  }
+
+  void addBlock(const Series& series, const Panel& panel, PanelPlan& plan, int& colour) {
+    const std::string lines =
+        series.pen == Pen::Arrows ? arrowBlock(series) : dataBlock(series, logX(panel), panel.logY);
     // A line through one point would not be seen.
     const bool isOnePoint = std::count(lines.begin(), lines.end(), '\n') == 1;
-    const int style = series.pen == Pen::Reference ? referenceStyle : 1 + colour++ % mostStyles;
-    styleCount_ = std::max(styleCount_, std::min(colour, mostStyles));
-    const bool asPoints = series.pen == Pen::Points || isOnePoint;
-    plan.curves.push_back({&series, lines.empty() ? -1 : blocks, asPoints, style});
+    const bool isReference = series.pen == Pen::Reference;
+    const int position = series.colour >= 0 || isReference ? series.colour : colour++;
+    const int style = isReference ? referenceStyle : 1 + position % mostStyles;
+    styleCount_ = std::max(styleCount_, std::min(position + 1, mostStyles));
+    const bool asPoints = series.pen == Pen::Points || series.pen == Pen::Cells ||
+                          (isOnePoint && (series.pen == Pen::Line || series.pen == Pen::Reference));
+    const int mark = series.pen == Pen::Cells ? style + cellStyle : style;
+    plan.curves.push_back({&series, lines.empty() ? -1 : blocks_, asPoints, style, mark});
     if (lines.empty()) return;
-    data_ += fmt::format("{}# block {}: {}; columns: {}, {}\n{}", blocks > 0 ? "\n\n" : "", blocks, series.name,
-                         figure_.xLabel(), panel.yLabel, lines);
-    ++blocks;
+    data_ += fmt::format("{}# block {}: {}; columns: {}, {}\n{}", separator(), blocks_, series.name, xLabelOf(panel),
+                         panel.yLabel, lines);
+    ++blocks_;
+  }
+
+  const std::string& xLabelOf(const Panel& panel) const {
+    return panel.xLabel.empty() ? figure_.xLabel() : panel.xLabel;
   }
 
   void placePanels() {
@@ -182,18 +241,59 @@ class ScriptWriter {
     for (PanelPlan& plan : plans_) {
       y += rowHeight * static_cast<double>(plan.key.size()) + headerFoot;
       plan.box = {plotLeft, plotRight, y, y + plotHeight};
-      if (figure_.hasEqualAxes()) equaliseAxes(plan);
+      if (figure_.hasEqualAxes()) equaliseAxes(plan, 360);
       y += plotHeight + panelGap;
     }
     canvas_ = Canvas(y - panelGap + footHeight);
   }
 
+  double columnWidth() const {
+    return (canvasWidth - (canvasWidth - plotRight) - columnGap * (figure_.columns() - 1)) / figure_.columns();
+  }
+
+  /// Rows of panels of equal height; in a row, what stands above the plots is as high as the highest needs.
+  void placeOnSlide() {
+    const auto columns = static_cast<std::size_t>(figure_.columns());
+    const std::size_t rows = (plans_.size() + columns - 1) / columns;
+    const double rowSpace = (slideHeight - titleHeight) / static_cast<double>(rows);
+    for (std::size_t row = 0; row < rows; ++row) {
+      const std::size_t end = std::min(plans_.size(), (row + 1) * columns);
+      double header = 0;
+      for (std::size_t i = row * columns; i < end; ++i) header = std::max(header, headerOf(plans_[i]));
+      for (std::size_t i = row * columns; i < end; ++i) {
+        const double left = static_cast<double>(i - row * columns) * (columnWidth() + columnGap);
+        const double top = titleHeight + rowSpace * static_cast<double>(row);
+        const double right = left + columnWidth() - (plans_[i].panel->field ? colourScale : 0.0);
+        plans_[i].box = {left + leftMargin(*plans_[i].panel), right, top + header, top + rowSpace - footOf(plans_[i])};
+        if (figure_.hasEqualAxes() || plans_[i].panel->equalAxes) equaliseAxes(plans_[i], 0);
+      }
+    }
+    canvas_ = Canvas(slideHeight);
+  }
+
+  static double headerOf(const PanelPlan& plan) {
+    return rowHeight * static_cast<double>(plan.key.size()) + headerFoot +
+           (plan.panel->heading.empty() ? 0.0 : headingHeight);
+  }
+
+  static double footOf(const PanelPlan& plan) {
+    double longest = 0;
+    for (const std::string& name : plan.panel->xNames) longest = std::max(longest, static_cast<double>(name.size()));
+    return slideFoot + (longest > shortName ? nameWidth * longest * 0.8 - 20 : 0.0);
+  }
+
   /// Gives both axes one scale: narrows the box about its middle, and widens a range where the box would get too slim.
-  static void equaliseAxes(PanelPlan& plan) {
-    constexpr double slimmest = 360;
+  /// \param slimmest the least width of the box [px]
+  static void equaliseAxes(PanelPlan& plan, double slimmest) {
     const double width = plan.box.right - plan.box.left;
     const double height = plan.box.bottom - plan.box.top;
     const double scale = std::max(plan.x.span() / width, plan.y.span() / height);  // per pixel
+    if (plan.panel->field) {
+      // A field fills its plot.
+      plan.box.right = plan.box.left + plan.x.span() / scale;
+      plan.box.top = plan.box.bottom - plan.y.span() / scale;
+      return;
+    }
     plan.y = widened(plan.y, scale * height);
     const double boxWidth = std::clamp(plan.x.span() / scale, slimmest, width);
     plan.x = widened(plan.x, scale * boxWidth);
@@ -202,12 +302,11 @@ class ScriptWriter {
   }
 
   void writeHead() {
-    put("# Draws {0}.svg from {0}.dat: gnuplot {0}.gp", figure_.id());
+    put("# Draws {0}.{1} from {0}.dat: gnuplot {0}.gp", figure_.id(), extension());
     put("reset");
     put("set encoding utf8");
-    put("set terminal svg size {:.0f},{:.0f} dynamic enhanced font 'sans-serif,17' background '#ffffff' name '{}'",
-        canvasWidth, canvas_.height(), figure_.id());
-    put("set output '{}.svg'", figure_.id());
+    writeTerminal();
+    put("set output '{}.{}'", figure_.id(), extension());
     writeStyles();
     put("set border 3 lc rgb '#555555' lw 1.2");
     put("set grid xtics ytics back lt 1 lc rgb '#e4e4e4' lw 1");
@@ -219,6 +318,25 @@ class ScriptWriter {
     put("unset key");
     put("set label {} at screen {},{} left font ',{:.0f}' textcolor rgb '#111111' noenhanced", quoted(figure_.title()),
         canvas_.x(20), canvas_.y(32), titleSize());
+  }
+
+  const char* extension() const { return format_ == Format::Pdf ? "pdf" : format_ == Format::Png ? "png" : "svg"; }
+
+  void writeTerminal() {
+    const double height = canvas_.height();
+    if (format_ == Format::Svg) {
+      put("set terminal svg size {:.0f},{:.0f} dynamic enhanced font 'sans-serif,17' background '#ffffff' name '{}'",
+          canvasWidth, height, figure_.id());
+    } else if (format_ == Format::Png) {
+      // Font sizes count points of 1/72 inch in these terminals, pixels in SVG: 3/4.
+      put("set terminal pngcairo size {:.0f},{:.0f} enhanced font 'sans-serif,17' fontscale {:.4f} linewidth {:.4f} "
+          "pointscale {:.4f} background '#ffffff'",
+          canvasWidth * scaleOfSlides, height * scaleOfSlides, scaleOfSlides * 0.75, scaleOfSlides, scaleOfSlides);
+    } else {
+      put("set terminal pdfcairo size {:.4f}in,{:.4f}in enhanced font 'sans-serif,17' fontscale 0.75 linewidth 1 "
+          "pointscale 1 background '#ffffff'",
+          canvasWidth / 96.0, height / 96.0);
+    }
   }
 
   /// Font size of the title [px]: smaller when it is long, so that it stays on the canvas.
@@ -236,6 +354,7 @@ class ScriptWriter {
     for (int i = 0; i < styleCount_; ++i) {
       put("set style line {} lc rgb '{}' lw 2.4 dt {} pt {} ps 0.8", i + 1, palette[i % 6], i < 6 ? "1" : "(8,4)",
           markers[i % 6]);
+      put("set style line {} lc rgb '{}' lw 1 pt 5 ps 1.6", i + 1 + cellStyle, palette[i % 6]);
     }
     put("set style line {} lc rgb '#9a9a9a' lw 5 dt (5,2.5) pt 6 ps 1.2", referenceStyle);
   }
@@ -243,19 +362,24 @@ class ScriptWriter {
   void writePanel(const PanelPlan& plan, bool isFirst, bool isLast) {
     const Box& box = plan.box;
     put("");
-    if (!isFirst) put("unset label; unset arrow");
+    if (!isFirst) put("unset label; unset arrow; unset colorbox");
     put("set lmargin at screen {}; set rmargin at screen {}", canvas_.x(box.left), canvas_.x(box.right));
     put("set tmargin at screen {}; set bmargin at screen {}", canvas_.y(box.top), canvas_.y(box.bottom));
     put("set xrange [{:.15g}:{:.15g}]", plan.x.low, plan.x.high);
     put("set yrange [{:.15g}:{:.15g}]", plan.y.low, plan.y.high);
     put("{}", plan.panel->logY ? "set logscale y; set format y '10^{%T}'" : "unset logscale y; set format y '%.10g'");
-    const char* xFormat = figure_.hasLogX() ? "10^{%T}" : "%.10g";
-    put("set format x '{}'", isLast ? xFormat : "");
-    if (isLast) putText(figure_.xLabel(), 0.5 * (box.left + box.right), box.bottom + 54, "center");
+    const bool hasOwnX = isLast || figure_.isSlide();
+    const char* xFormat = logX(*plan.panel) ? "10^{%T}" : "%.10g";
+    put("set format x '{}'", hasOwnX ? xFormat : "");
+    if (figure_.isSlide()) writeAxes(plan);
+    if (hasOwnX) {
+      const double below = footOf(plan) - (figure_.isSlide() ? 14 : 12);
+      putText(xLabelOf(*plan.panel), 0.5 * (box.left + box.right), box.bottom + below, "center");
+    }
     const double firstRow = box.top - headerFoot - rowHeight * (static_cast<double>(plan.key.size()) - 0.5);
     putText(plan.panel->yLabel, box.left - labelIndent, firstRow, "left");
     for (std::size_t row = 0; row < plan.key.size(); ++row) {
-      writeKeyRow(plan.key[row], firstRow + rowHeight * static_cast<double>(row));
+      writeKeyRow(plan.key[row], firstRow + rowHeight * static_cast<double>(row), box);
     }
     writeCurves(plan);
   }
@@ -266,17 +390,62 @@ class ScriptWriter {
         side);
   }
 
+  /// What only a slide's panel has: names along the axes, heading, notes, the colours of a field.
+  void writeAxes(const PanelPlan& plan) {
+    const Panel& panel = *plan.panel;
+    const Box& box = plan.box;
+    put("{}", logX(panel) ? "set logscale x" : "unset logscale x");
+    writeNames('x', panel.xNames);
+    writeNames('y', panel.yNames);
+    const double heading = box.top - headerFoot - rowHeight * static_cast<double>(plan.key.size()) - 0.5 * rowHeight;
+    if (!panel.heading.empty()) {
+      put("set label {} at screen {},{} center noenhanced font ',18' textcolor rgb '#111111'", quoted(panel.heading),
+          canvas_.x(0.5 * (box.left + box.right)), canvas_.y(heading));
+    }
+    for (const Note& note : panel.notes) {
+      put("set label {} at {:.10g},{:.10g} {} front noenhanced font ',{}' textcolor rgb '#111111'", quoted(note.text),
+          note.x, note.y, note.centred ? "center" : "left offset character 0.7,0", panel.xNames.empty() ? 16 : 10);
+    }
+    if (!panel.field) return;
+    // Viridis: seen by the colour-blind, and still ordered in grey.
+    put("set palette maxcolors 24 defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')");
+    put("set colorbox user origin screen {},{} size screen {},{}", canvas_.x(box.right + 12), canvas_.y(box.bottom),
+        canvas_.x(14), fmt::format("{:.5f}", (box.bottom - box.top) / canvas_.height()));
+    putText(panel.field->label, box.right + colourScale, box.top - 16, "right");
+  }
+
+  /// Numbers again when there are no names, since settings last from panel to panel.
+  void writeNames(char axis, const std::vector<std::string>& names) {
+    if (names.empty()) {
+      put("set {0}tics autofreq norotate font ',17'", axis);
+      return;
+    }
+    std::string list;
+    double longest = 0;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      list += fmt::format("{}{} {}", i == 0 ? "" : ", ", quoted(names[i]), i);
+      longest = std::max(longest, static_cast<double>(names[i].size()));
+    }
+    const bool rotate = axis == 'x' && longest > shortName;
+    put("set {}tics ({}) {} font ',13' noenhanced", axis, list, rotate ? "rotate by 50 right" : "norotate");
+  }
+
   /// One row of the key, flush right. Drawn by hand, because gnuplot gives all names the width of the longest.
-  void writeKeyRow(const std::vector<Curve>& row, double y) {
-    double x = plotRight + entryGap;
+  void writeKeyRow(const std::vector<Curve>& row, double y, const Box& box) {
+    double x = keyRight(box) + entryGap;
     for (const Curve& curve : row) x -= curve.widthInKey() + entryGap;
-    x = std::max(x, plotLeft - labelIndent);  // a name wider than the canvas shows its beginning
+    x = std::max(x, box.left - labelIndent);  // a name wider than the canvas shows its beginning
     for (const Curve& curve : row) {
       if (curve.asPoints) {
-        put("set label '' at screen {},{} point ls {}", canvas_.x(x + 0.5 * sampleLength), canvas_.y(y), curve.style);
+        put("set label '' at screen {},{} point ls {}", canvas_.x(x + 0.5 * sampleLength), canvas_.y(y),
+            curve.markStyle);
       } else {
-        put("set arrow from screen {1},{0} to screen {2},{0} nohead ls {3}", canvas_.y(y), canvas_.x(x),
-            canvas_.x(x + sampleLength), curve.style);
+        if (curve.series->pen == Pen::LinePoints) {
+          put("set label '' at screen {},{} point ls {}", canvas_.x(x + 0.5 * sampleLength), canvas_.y(y), curve.style);
+        }
+        put("set arrow from screen {1},{0} to screen {2},{0} {4} ls {3}", canvas_.y(y), canvas_.x(x),
+            canvas_.x(x + sampleLength), curve.style,
+            curve.series->pen == Pen::Arrows ? "head size screen 0.012,20 filled" : "nohead");
       }
       putText(curve.nameInKey(), x + sampleLength + sampleGap, y, "left");
       x += curve.widthInKey() + entryGap;
@@ -289,21 +458,42 @@ class ScriptWriter {
     const auto add = [&](bool references) {
       for (const Curve& curve : plan.curves) {
         if (curve.block < 0 || (curve.series->pen == Pen::Reference) != references) continue;
-        curves += fmt::format("{}'{}.dat' index {} using 1:2 with {} ls {}", curves.empty() ? "" : ", \\\n     ",
-                              figure_.id(), curve.block, curve.asPoints ? "points" : "lines", curve.style);
+        curves += fmt::format("{}'{}.dat' index {} {}", curves.empty() ? "" : ", \\\n     ", figure_.id(), curve.block,
+                              mannerOf(curve));
       }
     };
+    if (plan.fieldBlock >= 0) {
+      curves = fmt::format("'{}.dat' index {} using 1:2:3 with image", figure_.id(), plan.fieldBlock);
+    }
     add(true);
     add(false);
     if (curves.empty()) put("set label 'no data' at graph 0.5,0.5 center textcolor rgb '#777777'");
     put("plot {}", curves.empty() ? "NaN" : curves);
   }
 
+  static std::string mannerOf(const Curve& curve) {
+    if (curve.series->pen == Pen::Arrows) {
+      return fmt::format("using 1:2:3:4 with vectors head size screen 0.012,20 filled ls {}", curve.style);
+    }
+    if (curve.series->pen == Pen::Cells) {
+      return fmt::format("using 1:2:(0.47):(0.47) with boxxyerror fs solid 1 noborder ls {}", curve.style);
+    }
+    const char* lines = curve.series->pen == Pen::LinePoints ? "linespoints" : "lines";
+    return fmt::format("using 1:2 with {} ls {}", curve.asPoints ? "points" : lines, curve.style);
+  }
+
+  /// The key ends with the plot; where equal axes made the plot narrow, with the panel.
+  double keyRight(const Box& box) const { return figure_.isSlide() ? box.right : plotRight; }
+
   static constexpr int mostStyles = 12;
   static constexpr int referenceStyle = 20;
+  static constexpr int cellStyle = 30;    // added to the style of a curve
+  static constexpr double shortName = 4;  // characters; longer names under the x axis are turned
 
   const Figure& figure_;
+  Format format_;
   int styleCount_ = 0;
+  int blocks_ = 0;
   Canvas canvas_;
   std::vector<PanelPlan> plans_;
   std::string data_;
@@ -312,6 +502,6 @@ class ScriptWriter {
 
 }  // namespace
 
-FigureText figureText(const Figure& figure) { return ScriptWriter(figure).write(); }
+FigureText figureText(const Figure& figure, Format format) { return ScriptWriter(figure, format).write(); }
 
 }  // namespace muelle

@@ -1,0 +1,47 @@
+#include "engine/model/model_system.h"
+#include "figure_list.h"
+
+namespace muelle::plots {
+
+namespace {
+
+/// Force on the free end of a spring to the origin, for each position of that end.
+std::vector<double> forces(double k, double L0, const std::vector<double>& positions) {
+  engine::Model model;
+  model.dimension = 1;
+  model.nodes.resize(2);
+  model.nodes[0].pinned = true;
+  model.nodes[1].x[0] = L0;
+  model.springs.push_back({.a = 1, .b = 0, .k = k, .L0 = L0});
+  const auto system = engine::build(model);
+  State state = system->initialState();
+  std::vector<double> values, force(1);
+  for (const double x : positions) {
+    state.x[0] = x;
+    system->force(0.0, state.x, state.v, state.z, force);
+    values.push_back(force[0]);
+  }
+  return values;
+}
+
+}  // namespace
+
+/// Slide "Ley de Hooke": a straight line through the rest length, whose slope is -k.
+Figure hookes_law_1d() {
+  const double L0 = 1.0;
+  std::vector<double> x;
+  for (int i = 1; i <= 200; ++i) x.push_back(0.01 * i);
+  Figure figure("hookes_law_1d", "Hooke's law in 1D: the force grows with the stretch, against it", "position x_a [m]");
+  figure.slide();
+  figure.panel("force F_a [N]")
+      .line("k = 50 N/m", x, forces(50, L0, x))
+      .line("k = 100 N/m", x, forces(100, L0, x))
+      .line("k = 200 N/m", x, forces(200, L0, x))
+      .reference("no force", {0.0, 2.0}, {0.0, 0.0})
+      .note(1.02, 60, "at the rest length L0 = 1 m")
+      .note(0.25, 155, "compressed: pushed out")
+      .note(1.35, -150, "stretched: pulled back");
+  return figure;
+}
+
+}  // namespace muelle::plots
