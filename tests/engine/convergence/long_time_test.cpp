@@ -75,7 +75,10 @@ TEST_P(LongTime, MomentaOfTheFreeTriangle) {
   const State start = system->initialState();
   const Vec3 P = system->momentum(start), L = system->angularMomentum(start);
   double momentum = 0.0, angular = 0.0;
-  run(*method, *system, start, 2e-3, isLong() ? 100'000 : 1'000, [&](const State& state) {
+  // An unstable method has no long run. In a long one the triangle flies far, and the angular momentum about the origin
+  // rounds in proportion to the distance.
+  const bool goesFar = isLong() && info.stability != Stability::Never;
+  const State end = run(*method, *system, start, 2e-3, goesFar ? 100'000 : 1'000, [&](const State& state) {
     momentum = std::max(momentum, (system->momentum(state) - P).norm());
     angular = std::max(angular, (system->angularMomentum(state) - L).norm());
   });
@@ -85,7 +88,7 @@ TEST_P(LongTime, MomentaOfTheFreeTriangle) {
     EXPECT_LE(momentum, 1e-12);
   }
   if (info.conservesAngularMomentum) {
-    EXPECT_LE(angular, 1e-12);
+    EXPECT_LE(angular, 1e-12 * std::max(1.0, system->position(end, 0).norm()));
   }
   if (isLong()) fmt::print("{:26} P {:9.2e} L {:9.2e}\n", GetParam(), momentum, angular);
 }

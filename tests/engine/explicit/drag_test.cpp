@@ -41,11 +41,11 @@ TEST(Drag, WithAConstantForceIsSolvedExactly) {
     void forceWithoutDrag(double, In, In, In, Out f) const override { f[0] = 6.0; }
   };
   const Falling system;
-  for (const int steps : {1, 7, 100}) {
+  for (const int steps : {1, 7, 100, 1000}) {
     const State end = run(velocityVerlet, system, {.t = 0.0, .x = {0.5}, .v = {-1.0}, .z = {}}, 2.0 / steps, steps);
     const double decay = std::exp(-6.0);
-    EXPECT_NEAR(end.v[0], 2.0 - 3.0 * decay, 1e-14);
-    EXPECT_NEAR(end.x[0], 0.5 + 2.0 * 2.0 - 3.0 * (1.0 - decay) / 3.0, 1e-14);
+    EXPECT_NEAR(end.v[0], 2.0 - 3.0 * decay, 1e-14 * std::sqrt(steps));
+    EXPECT_NEAR(end.x[0], 0.5 + 2.0 * 2.0 - 3.0 * (1.0 - decay) / 3.0, 1e-14 * std::sqrt(steps));
   }
 }
 
@@ -96,6 +96,21 @@ TEST(Drag, AsAnyOtherForceLeavesOrder2ToVerletAnd3ToTheCompositions) {
   EXPECT_NEAR(order(velocityVerlet, system, start, end, 100), 2.0, 0.05);
   EXPECT_NEAR(order(yoshida4, system, start, end, 60), 3.0, 0.15);
   EXPECT_NEAR(order(kahanLi8, system, start, end, 60), 3.0, 0.15);
+}
+
+// Of a stiff, weakly damped oscillator: the spectral radius is that of the stiffness, h rho = 50 times its margin 1.2.
+TEST(Drag, ChebyshevSeesTheStiffnessToo) {
+  const LinearSystem system(1000.0, 10.0);
+  const auto method = rungeKuttaChebyshev2();
+  method->prepare(system, {});
+  State to;
+  for (int n = 0; n < 2; ++n) {
+    method->resetWork();
+    ASSERT_TRUE(method->step(system, {.t = 0.05 * n, .x = {1.0}, .v = {0.0}, .z = {}}, 0.05, to).done);
+  }
+  // A start and an end besides the stages; 1 + sqrt(1.54 * 60 + 1) = 10.7 of them.
+  EXPECT_GE(method->work().forceEvaluations, 10);
+  EXPECT_LE(method->work().forceEvaluations, 12);
 }
 
 TEST(Drag, ChebyshevTakesTheStagesThatItNeeds) {

@@ -81,6 +81,7 @@ TEST_P(Every, ReuseOfAForceChangesNothing) {
     if (n % 4 == 0) withMemory->interpolate(system, a, trial, 0.4, next);
     ASSERT_TRUE(withMemory->step(system, a, 0.01, next).done);
     withMemory->accept();
+    if (n % 5 == 0) withMemory->interpolate(system, a, next, 0.6, trial);
     std::swap(a, next);
     without->restart();
     ASSERT_TRUE(without->step(system, b, 0.01, next).done);
@@ -140,6 +141,20 @@ TEST_P(Every, CostsTheStagesStated) {
   // RKC2: the stages stated are the fewest; one more is that the spectral radius is looked at.
   const long long spectral = isChebyshev(GetParam()) ? 1 : 0;
   EXPECT_EQ(method->work().forceEvaluations, 10 * method->info().stages + spectral);
+}
+
+// A step that is taken again keeps the force at its start, where the method has stages after it.
+TEST(Reuse, ARejectedStepCostsOneForceLess) {
+  const Pendulum system;
+  for (const Make make : {rungeKutta4, dop853, nystrom8, nystrom12}) {
+    const auto method = make();
+    method->prepare(system, {});
+    State to;
+    method->step(system, start, 0.02, to);
+    const long long first = method->work().forceEvaluations;
+    method->step(system, start, 0.01, to);
+    EXPECT_EQ(method->work().forceEvaluations, 2 * first - 1) << method->info().name;
+  }
 }
 
 TEST_P(Every, DoesNotAllocateInAStep) {

@@ -54,7 +54,8 @@ class SymplecticEuler : public Method {
     const std::span<const double> m = system.mass();
     for (std::size_t i = 0; i < force_.size(); ++i) {
       increment.v[i] = h / m[i] * force_[i];
-      increment.x[i] = h * (from.v[i] + increment.v[i]);
+      const double v = from.v[i] + increment.v[i];
+      increment.x[i] = h * v + h * lostIn(v, from.v[i], increment.v[i]);
     }
     return result;
   }

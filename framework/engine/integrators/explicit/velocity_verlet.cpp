@@ -3,6 +3,8 @@
 #include "engine/integrators/explicit/engines/kick.h"
 #include "engine/integrators/explicit/methods.h"
 
+#include <algorithm>
+
 namespace muelle::engine {
 
 namespace {
@@ -48,7 +50,7 @@ class VelocityVerlet : public Method {
     kick_.prepare(system);
     factors_.forget();
     if (const Drag* drag = system.drag()) factors_.update(*drag, system.mass(), 0.0);
-    for (std::vector<double>* array : {&predicted_, &dx_, &dv_}) array->resize(system.mass().size());
+    for (std::vector<double>* array : {&predicted_, &dx_, &dv_, &low_}) array->assign(system.mass().size(), 0.0);
   }
 
   StepResult step(const System& system, const State& from, double h, State& to) override {
@@ -60,7 +62,11 @@ class VelocityVerlet : public Method {
 
   bool hasIncrements() const override { return true; }
   StepResult stepIncrement(const System& system, const State& from, double h, State& increment) override {
+    // The force at the end is that of the compensated sum, which is where the next step starts: without the low part
+    // the energy of an oscillator drifts three times as fast.
+    std::copy(increment.x.begin(), increment.x.end(), low_.begin());
     StepResult result = step(system, from, h, increment);
+    std::fill(low_.begin(), low_.end(), 0.0);
     increment.x = dx_;
     increment.v = dv_;
     return result;
@@ -91,8 +97,9 @@ class VelocityVerlet : public Method {
     const std::size_t n = predicted_.size();
     const double* a = kick_.acceleration();
     for (std::size_t i = 0; i < n; ++i) {
-      dx_[i] = h * (phi1(i) * from.v[i] + h * (phi2(i) * a[i]));
-      to.x[i] = from.x[i] + dx_[i];
+      const double decayed = phi1(i) * from.v[i], kick = h * (phi2(i) * a[i]), mean = decayed + kick;
+      dx_[i] = h * mean + h * lostIn(mean, decayed, kick);
+      to.x[i] = from.x[i] + (dx_[i] + low_[i]);
       // What the first force does to the velocity; predicted_: the velocity if the force stayed the same.
       dv_[i] = loss(i) * from.v[i] + h * ((phi1(i) - phi2(i)) * a[i]);
       predicted_[i] = from.v[i] + (dv_[i] + h * (phi2(i) * a[i]));
@@ -104,6 +111,7 @@ class VelocityVerlet : public Method {
   Kick kick_;
   DragFactors factors_;
   std::vector<double> predicted_, dx_, dv_;
+  std::vector<double> low_;  // of the positions, 0 unless sums are compensated
 };
 
 }  // namespace

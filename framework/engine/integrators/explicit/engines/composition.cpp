@@ -36,7 +36,7 @@ void Composition::kickAndDrift(const System& system, const State& from, double k
     for (std::size_t i = 0; i < n; ++i) {
       dv_[i] += kick * a[i];
       const double v = from.v[i] + dv_[i];
-      dx_[i] += h * (factors.phi1(i) * v);
+      dx_[i] += h * (factors.phi1(i) * v) + h * (factors.phi1(i) * lostIn(v, from.v[i], dv_[i]));
       dv_[i] += factors.loss(i) * v;
       to.x[i] = from.x[i] + dx_[i];
       to.v[i] = from.v[i] + dv_[i];
@@ -45,7 +45,7 @@ void Composition::kickAndDrift(const System& system, const State& from, double k
     for (std::size_t i = 0; i < n; ++i) {
       dv_[i] += kick * a[i];
       to.v[i] = from.v[i] + dv_[i];
-      dx_[i] += h * to.v[i];
+      dx_[i] += h * to.v[i] + h * lostIn(to.v[i], from.v[i], dv_[i]);
       to.x[i] = from.x[i] + dx_[i];
     }
   }
