@@ -18,6 +18,7 @@ void addTestTheTests(CLI::App& app, int& status);
 #if MUELLE_HAS_ENGINE
 void addRun(CLI::App& app, int& status);
 void addHardCases(CLI::App& app, int& status);
+void addFigures(CLI::App& app, int& status);
 #endif
 
 /// What `muelle` alone prints: the commands to type next.

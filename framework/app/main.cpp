@@ -24,7 +24,7 @@ constexpr AddCommand commands[] = {
     addGrade, addTestTheTests,
 #endif
 #if MUELLE_HAS_ENGINE
-    addRun,   addHardCases,
+    addRun,   addHardCases,    addFigures,
 #endif
     addTest,  addDocs,
 };
