@@ -130,8 +130,8 @@ void addGridSprings(Model& model, const Part& part, const GridShape& shape) {
 constexpr std::array<std::array<int, 4>, 5> evenCell = {{
     {0, 1, 2, 4},
     {1, 3, 2, 7},
-    {1, 4, 7, 5},
-    {2, 7, 4, 6},
+    {1, 7, 4, 5},
+    {2, 4, 7, 6},
     {1, 2, 4, 7},
 }};
 constexpr std::array<std::array<int, 4>, 5> oddCell = {{

@@ -3,7 +3,6 @@
 #include "engine/scene/mesh_text.h"
 #include "engine/scene/value.h"
 #include "harness/file.h"
-#include "harness/text/printable.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -31,7 +30,7 @@ std::int64_t objIndex(std::string_view word, std::size_t vertexCount, const Mesh
   std::int64_t index = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
   if (error != std::errc() || end != text.data() + text.size() || index == 0) {
-    at.fail(fmt::format("'{}' is no corner of a face; they are counted from 1", cutText(printable(word), 1, 40)));
+    at.fail(fmt::format("'{}' is no corner of a face; they are counted from 1", shownWord(word)));
   }
   return index > 0 ? index - 1 : static_cast<std::int64_t>(vertexCount) + index;
 }

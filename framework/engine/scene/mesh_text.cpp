@@ -15,9 +15,12 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\v\f";
 
-std::string shown(std::string_view word) { return cutText(printable(word), 1, 40); }
-
 }  // namespace
+
+std::string shownWord(std::string_view word) {
+  constexpr std::size_t most = 40;
+  return printable(word.substr(0, most)) + (word.size() > most ? "..." : "");
+}
 
 void MeshText::fail(const std::string& complaint) const {
   throw std::runtime_error(fmt::format("{}:{}: {}", name_, std::max(1, lineNumber_), complaint));
@@ -53,7 +56,8 @@ double MeshText::number() {
   if (text.front() == '+') text.remove_prefix(1);
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) fail(fmt::format("'{}' is no number", shown(whole)));
+  if (error != std::errc() || end != text.data() + text.size())
+    fail(fmt::format("'{}' is no number", shownWord(whole)));
   return value;
 }
 
@@ -62,7 +66,8 @@ std::int64_t MeshText::integer() {
   if (text.empty()) fail("an integer is missing");
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) fail(fmt::format("'{}' is no integer", shown(text)));
+  if (error != std::errc() || end != text.data() + text.size())
+    fail(fmt::format("'{}' is no integer", shownWord(text)));
   return value;
 }
 

@@ -40,6 +40,9 @@ class MeshText {
   int lineNumber_ = 0;
 };
 
+/// A word of a file for a message: visible characters, not too many.
+std::string shownWord(std::string_view word);
+
 /// A count in a header: complains, before anything is allocated, when it is negative, above `most`, or more than
 /// `bytes` bytes can hold at `least` bytes each.
 int checkedCount(const MeshText& at, std::int64_t count, const char* what, int most, std::size_t bytes,

@@ -1,6 +1,5 @@
 #include "engine/scene/mesh_file.h"
 #include "engine/scene/mesh_text.h"
-#include "harness/text/printable.h"
 
 #include <fmt/format.h>
 #include <bit>
@@ -49,7 +48,7 @@ Type typeNamed(std::string_view word, const MeshText& at) {
   for (const auto& [name, type] : names) {
     if (name == word) return type;
   }
-  at.fail(fmt::format("'{}' is no type of PLY (float, int, uchar, ...)", cutText(printable(word), 1, 40)));
+  at.fail(fmt::format("'{}' is no type of PLY (float, int, uchar, ...)", shownWord(word)));
 }
 
 Property readProperty(MeshText& text) {
@@ -83,8 +82,7 @@ Header readHeader(MeshText& text) {
     if (word == "format") {
       const std::string_view format = text.word();
       if (format != "ascii" && format != "binary_little_endian") {
-        text.fail(fmt::format("the format '{}' is not read; ascii and binary_little_endian are",
-                              cutText(printable(format), 1, 40)));
+        text.fail(fmt::format("the format '{}' is not read; ascii and binary_little_endian are", shownWord(format)));
       }
       header.binary = format != "ascii";
       hasFormat = true;
@@ -96,8 +94,7 @@ Header readHeader(MeshText& text) {
       const bool isFace = element.name == "face";
       const std::int64_t most = isVertex ? mostVertices : isFace ? mostFaces : mostElements;
       if (element.count < 0 || element.count > most) {
-        text.fail(fmt::format("{} elements '{}': 0 to {} are read", element.count,
-                              cutText(printable(element.name), 1, 40), most));
+        text.fail(fmt::format("{} elements '{}': 0 to {} are read", element.count, shownWord(element.name), most));
       }
       header.elements.push_back(std::move(element));
       if (header.elements.size() > 100) text.fail("more than 100 kinds of elements");
@@ -106,7 +103,7 @@ Header readHeader(MeshText& text) {
       header.elements.back().properties.push_back(readProperty(text));
       if (header.elements.back().properties.size() > 100) text.fail("more than 100 properties of an element");
     } else {
-      text.fail(fmt::format("'{}' does not belong into the header of a PLY file", cutText(printable(word), 1, 40)));
+      text.fail(fmt::format("'{}' does not belong into the header of a PLY file", shownWord(word)));
     }
   }
   text.fail("the header has no end_header");

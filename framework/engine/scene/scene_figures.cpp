@@ -11,7 +11,8 @@ namespace muelle::engine {
 namespace {
 
 constexpr std::size_t mostDrawnSprings = 4000;  // beyond that the surface alone, or the nodes
-constexpr std::size_t mostDrawnNodes = 30;      // of 1D scenes
+constexpr std::size_t mostReferenceEdges = 100;
+constexpr std::size_t mostDrawnNodes = 30;  // of 1D scenes
 
 /// Figures take a plain alphabet (see Figure); a scene's title may be anything.
 std::string plain(std::string_view text) {
@@ -146,7 +147,13 @@ Figure shapeFigure(const Scene& scene, const SceneRun& run) {
   Figure figure(fileStem(scene.name) + "_shape", plain(scene.title), axisLabel(scene, scene.view[0]));
   figure.equalAxes();
   auto panel = figure.panel(axisLabel(scene, scene.view[1]));
-  panel.reference("at the start", start.x, start.y).line(fmt::format("at {:.3g} s", last.t), end.x, end.y);
+  // The pen of references is broad: right for a few springs, a blot for a mesh.
+  if (edges.size() <= mostReferenceEdges) {
+    panel.reference("at the start", start.x, start.y);
+  } else {
+    panel.line("at the start", start.x, start.y);
+  }
+  panel.line(fmt::format("at {:.3g} s", last.t), end.x, end.y);
   if (!scene.model.obstacles.empty()) {
     const Pieces outlines = obstacleOutlines(scene, last.t, end);
     panel.line("obstacles", outlines.x, outlines.y);

@@ -1,0 +1,153 @@
+#include "engine/scene/run_scene.h"
+#include "engine/scene/scene_figures.h"
+#include "scene_text.h"
+
+#include <gmock/gmock.h>
+#include <cmath>
+
+namespace muelle::engine {
+namespace {
+
+using ::testing::HasSubstr;
+
+Scene oscillator() {
+  return sceneFrom(head + pair + "[[spring]]\nnodes = [0, 1]\nk = 100.0\nL0 = 1.0\n" +
+                   "[[output]]\nkind = 'position'\nname = 'position of the mass'\nnodes = [1]\naxis = 'x'\n" + run);
+}
+
+/// x(t) = 1 + 0.2 cos(10 t).
+double exactPosition(double t) { return 1.0 + 0.2 * std::cos(10.0 * t); }
+
+TEST(Run, FollowsTheOscillator) {
+  Scene scene = oscillator();
+  scene.method = "dop853";
+  scene.tolerance = 1e-11;
+  const SceneRun result = runScene(scene);
+  EXPECT_FALSE(result.result.failed());
+  EXPECT_DOUBLE_EQ(result.result.last.t, 1.0);
+  EXPECT_NEAR(result.result.last.x[0], exactPosition(1.0), 1e-10);
+  EXPECT_NEAR(result.result.trajectory.track("position of the mass").back(), exactPosition(1.0), 1e-10);
+  EXPECT_NEAR(result.result.trajectory.track("total energy").front(), 2.0, 1e-14);
+  EXPECT_TRUE(result.isConservative());
+  EXPECT_LT(result.energyDrift(), 1e-9);
+}
+
+TEST(ErrorEstimate, StepHalvingFindsTheTrueErrorOfVelocityVerlet) {
+  const Scene scene = oscillator();
+  const SceneRun result = runScene(scene);
+  const double x = result.result.last.x[0];
+  const double trueError = std::abs(x - exactPosition(1.0)) / exactPosition(1.0);
+  const ErrorEstimate estimate = estimateError(scene, result);
+  EXPECT_TRUE(estimate.failure.empty());
+  EXPECT_EQ(estimate.how, "step halved, order 2");
+  // Richardson leaves the next term of the series, h^4: (h omega)^2 = 0.01 of the error here.
+  EXPECT_NEAR(estimate.error, trueError, 0.02 * trueError);
+  EXPECT_GT(trueError, 1e-5);
+}
+
+TEST(ErrorEstimate, OfAnAdaptiveMethodBoundsTheTrueError) {
+  Scene scene = oscillator();
+  scene.method = "dormand_prince_5";
+  scene.tolerance = 1e-7;
+  const SceneRun result = runScene(scene);
+  const double trueError = std::abs(result.result.last.x[0] - exactPosition(1.0)) / exactPosition(1.0);
+  const double estimate = estimateError(scene, result).error;
+  EXPECT_GT(estimate, 0.5 * trueError);
+  EXPECT_LT(estimate, 2.0 * trueError + 1e-14);
+}
+
+TEST(Overrides, ReplaceMethodStepAndDuration) {
+  RunOverrides overrides;
+  overrides.method = "symplectic-euler";
+  overrides.step = 0.002;
+  overrides.duration = 0.5;
+  overrides.noEvents = true;
+  const Scene scene = applied(oscillator(), overrides);
+  EXPECT_EQ(scene.method, "symplectic_euler");
+  const RunOptions options = optionsOf(scene);
+  EXPECT_TRUE(options.fixedStep);
+  EXPECT_EQ(options.h, 0.002);
+  EXPECT_EQ(options.duration, 0.5);
+  EXPECT_FALSE(options.locateEvents);
+  EXPECT_EQ(runScene(scene).result.work.steps, 250);
+}
+
+TEST(Overrides, AnAdaptiveMethodChoosesItsStepsUnlessAStepIsGiven) {
+  RunOverrides overrides;
+  overrides.method = "dop853";
+  EXPECT_FALSE(optionsOf(applied(oscillator(), overrides)).fixedStep);
+  overrides.tolerance = 1e-9;
+  EXPECT_EQ(optionsOf(applied(oscillator(), overrides)).tolerance.relative, 1e-9);
+  overrides.tolerance.reset();
+  overrides.step = 0.05;
+  EXPECT_TRUE(optionsOf(applied(oscillator(), overrides)).fixedStep);
+  EXPECT_EQ(optionsOf(applied(oscillator(), overrides)).h, 0.05);
+}
+
+std::string complaintAboutOverrides(const RunOverrides& overrides) {
+  try {
+    applied(oscillator(), overrides);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Overrides, SayWhichOptionIsWrong) {
+  RunOverrides overrides;
+  overrides.tolerance = 1e-6;
+  EXPECT_EQ(complaintAboutOverrides(overrides), "--tolerance: velocity_verlet has no error estimate; give --dt");
+  overrides.tolerance.reset();
+  for (const double step : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    overrides.step = step;
+    EXPECT_THAT(complaintAboutOverrides(overrides), HasSubstr("--dt is ")) << step;
+  }
+  overrides.step.reset();
+  overrides.duration = -1.0;
+  EXPECT_EQ(complaintAboutOverrides(overrides), "--duration is -1 s; it must be positive and finite");
+  overrides.duration.reset();
+  overrides.method = "velocity_verlt";
+  EXPECT_EQ(complaintAboutOverrides(overrides), "no method 'velocity_verlt'; did you mean 'velocity_verlet'?");
+}
+
+TEST(Summary, NamesMethodErrorEnergyAndWork) {
+  const Scene scene = oscillator();
+  SceneRun result = runScene(scene);
+  result.error = estimateError(scene, result);
+  const std::string text = summaryOf(scene, result);
+  EXPECT_THAT(text, HasSubstr("test: A test"));
+  EXPECT_THAT(text, HasSubstr("2 nodes, 1 springs, 1 unknowns"));
+  EXPECT_THAT(text, HasSubstr("velocity Verlet, order 2"));
+  EXPECT_THAT(text, HasSubstr("h = 0.01 s, 100 steps"));
+  EXPECT_THAT(text, HasSubstr("(step halved, order 2; "));
+  EXPECT_THAT(text, HasSubstr("2 J -> "));
+  EXPECT_THAT(text, HasSubstr("101 force evaluations"));
+}
+
+TEST(Failure, OfARunIsReportedAndLeavesNoEstimate) {
+  Scene scene = oscillator();
+  scene.step = 0.3;  // h omega = 3
+  scene.duration = 100.0;
+  const SceneRun result = runScene(scene);
+  ASSERT_TRUE(result.result.failed());
+  EXPECT_FALSE(result.result.trajectory.stop.message.empty());
+  EXPECT_EQ(estimateError(scene, result).failure, "the run did not reach its end");
+}
+
+TEST(Figures, AreThoseOfTheOutputs) {
+  const Scene scene = readScene(MUELLE_SCENES "/elastic_pendulum.toml");
+  const std::vector<Figure> figures = figuresOf(scene, runScene(scene));
+  std::vector<std::string> names;
+  for (const Figure& figure : figures) names.push_back(figure.id());
+  EXPECT_THAT(names, ::testing::ElementsAre("elastic_pendulum_energy", "elastic_pendulum_outputs",
+                                            "elastic_pendulum_shape", "elastic_pendulum_path"));
+}
+
+TEST(Figures, TakeATitleInAnyAlphabet) {
+  Scene scene = oscillator();
+  scene.title = "Ley de Hooke: ¿qué? `rm` \"x\"";
+  EXPECT_NO_THROW(figuresOf(scene, runScene(scene)));
+}
+
+}  // namespace
+}  // namespace muelle::engine
