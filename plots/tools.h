@@ -1,0 +1,27 @@
+#pragma once
+#include "engine/control/simulate.h"
+#include "engine/model/model_system.h"
+#include "figure_list.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace muelle::plots {
+
+/// n numbers from `low` to `high`, both included, at equal distances; n >= 2.
+std::vector<double> linear(double low, double high, int n);
+/// n numbers from `low` to `high`, both included, at equal ratios; n >= 2, low > 0.
+std::vector<double> logarithmic(double low, double high, int n);
+
+/// A node of mass m [kg] in 1D at x0 [m], on a spring k [N/m] of rest length 0 to the origin, with node drag d [kg/s].
+engine::Model oscillator(double m, double k, double x0, double d = 0.0);
+
+/// Runs a built model from its initial state, without the warnings' pilot runs. A step h [s] is fixed.
+engine::RunResult run(const engine::ModelSystem& system, std::string_view method, double h, double duration,
+                      double outputInterval = 0.0);
+
+/// One number for each output: measure(state).
+std::vector<double> along(const Trajectory& trajectory, const std::function<double(const State&)>& measure);
+
+}  // namespace muelle::plots
