@@ -35,6 +35,9 @@ struct ObstacleData {
 /// same is done for a node that is at rest in contact at the start. One that slides at the start, with more kinetic
 /// energy than the slider can store, slips from the start.
 ///
+/// The anchor stays within a step, so a step that passes over the moment of rest is pulled back along the way it slid:
+/// locate events, or take steps in which a node slides little.
+///
 /// Hessian: k n n^T + k (-depth curvature) P inside a ball (negative: left out of Form::Projected).
 /// Internal variables: the obstacle's phase; then of each node the mode, the face for a box, with friction the grip
 /// (0 apart, 1 sticks, 2 slips) and the anchor relative to the obstacle.

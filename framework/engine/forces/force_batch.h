@@ -51,6 +51,8 @@ class ForceBatch {
 
   /// Elements that are constraints for XPBD; a kind without any is an external force there, or left out.
   virtual int constraintCount() const { return 0; }
+  /// Whether these constraints are distances between nodes.
+  virtual bool constraintsAreDistances() const { return false; }
   /// Evaluates constraint j; unknowns from `freeSize` on are no unknowns and are dropped. False when it does not act.
   virtual bool evaluateConstraint(int /*j*/, const Configuration&, int /*freeSize*/, Constraint&) const {
     return false;

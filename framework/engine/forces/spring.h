@@ -57,6 +57,7 @@ class Spring final : public ForceBatch {
   bool isNotSymmetric() const override { return projected_; }
 
   int constraintCount() const override { return static_cast<int>(springs_.size()); }
+  bool constraintsAreDistances() const override { return true; }
   bool evaluateConstraint(int j, const Configuration& at, int freeSize, Constraint& out) const override;
   /// Relative damping acts across the spring too, which no constraint expresses.
   void addExternalForce(const Configuration& at, double* f) const override;

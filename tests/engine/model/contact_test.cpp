@@ -100,6 +100,7 @@ TEST(DampedContact, NeverPullsAndLetsGoWhereItsForceIsZero) {
   State s = system->initialState();
   EXPECT_NEAR(forceOf(*system, s)[0], 10.0 - 5.0, 1e-12);
   system->switching()->commit(s, true);
+  EXPECT_FALSE(system->switching()->commit(s, true)) << "stays closed while it pushes";
   s.v[0] = 0.2;  // k depth - d v = 10 - 20
   EXPECT_GT(guardOf(*system, s), 0.0) << "released while still inside";
   system->switching()->cross(0, s);

@@ -171,7 +171,7 @@ TEST(Crossing, TheForceIsSmoothThroughZeroLengthUntilTheEvent) {
     s.x[0] = -0.1;
     EXPECT_NEAR(forceOf(*system, s)[0], 100.0 * (0.1 + 0.5), 1e-12) << "goes on pushing as before";
     EXPECT_LT(guard(), 0.0);
-    s.x[0] = -1e-14;
+    s.x[0] = 1e-14;  // located, but for rounding
     switching.cross(0, s);
     EXPECT_NEAR(forceOf(*system, s)[0], -100.0 * 0.5, 1e-9) << "and the other way after the event";
     const double after = guard();
