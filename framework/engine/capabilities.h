@@ -93,7 +93,10 @@ class Constraints {
   virtual int count() const = 0;
   /// Whether all of them are distances, those that do not act included.
   virtual bool onlyDistances() const { return true; }
-  /// Evaluates constraint j; false when it does not act (an open contact).
+  /// Overwrites `all` with x and, behind it, what evaluate() needs besides at time t (nodes that are pinned or moved).
+  /// A sweep over many constraints calls this once and hands `all` to evaluate(), which else has to gather each time.
+  virtual void extend(double /*t*/, In x, std::vector<double>& all) const { all.assign(x.begin(), x.end()); }
+  /// Evaluates constraint j at x, or at what extend() made of it; false when it does not act (an open contact).
   virtual bool evaluate(int j, double t, In x, In z, Constraint& out) const = 0;
   /// Overwrites f with the forces that no constraint covers: gravity, drag, external forces.
   virtual void externalForce(double t, In x, In v, In z, Out f) const = 0;

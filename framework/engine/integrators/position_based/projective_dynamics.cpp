@@ -88,8 +88,9 @@ class ProjectiveDynamics final : public PositionMethod {
     const Constraints& constraints = *system.constraints();
     ++work_.forceEvaluations;
     bool missing = false;
+    constraints.extend(from.t + h, to.x, all_);
     for (int j = 0; j < constraints.count(); ++j) {
-      if (!constraints.evaluate(j, from.t + h, to.x, to.z, constraint_)) continue;
+      if (!constraints.evaluate(j, from.t + h, all_, to.z, constraint_)) continue;
       const Constraint& c = constraint_;
       if (!covered_[static_cast<std::size_t>(j)]) missing = true;
       double moved = 0.0;
@@ -109,10 +110,12 @@ class ProjectiveDynamics final : public PositionMethod {
   std::string refactor(const System& system, double t, double h, const State& state) {
     const Constraints& constraints = *system.constraints();
     const int dimension = system.dimension();
+    covered_.assign(covered_.size(), false);
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < system.size(); ++i) entries.emplace_back(i, i, mass_[static_cast<std::size_t>(i)] / (h * h));
+    constraints.extend(t, state.x, all_);
     for (int j = 0; j < constraints.count(); ++j) {
-      if (!constraints.evaluate(j, t, state.x, state.z, constraint_)) continue;
+      if (!constraints.evaluate(j, t, all_, state.z, constraint_)) continue;
       const Constraint& c = constraint_;
       if (c.kind != Constraint::Kind::Distance || (c.count != dimension && c.count != 2 * dimension)) {
         return fmt::format("{} takes distances only; constraint {} is none", info_.id, j);
@@ -147,6 +150,7 @@ class ProjectiveDynamics final : public PositionMethod {
   SystemMatrix matrix_;
   LinearSolver solver_;
   Constraint constraint_;
+  std::vector<double> all_;  // positions with the fixed nodes behind
   Vector residual_, increment_, offset_;
 };
 

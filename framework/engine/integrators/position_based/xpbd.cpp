@@ -2,6 +2,7 @@
 #include "engine/integrators/position_based/position_method.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -56,15 +57,17 @@ class Xpbd final : public PositionMethod {
     before_ = state.x;
     for (std::size_t i = 0; i < state.x.size(); ++i) state.x[i] += h * state.v[i];
     const Constraints& constraints = *system.constraints();
+    constraints.extend(t + h, state.x, all_);
     for (int j = 0; j < constraints.count(); ++j) {
-      if (constraints.evaluate(j, t + h, state.x, state.z, constraint_)) project(h, state);
+      if (constraints.evaluate(j, t + h, all_, state.z, constraint_)) project(h, state);
     }
+    std::copy_n(all_.begin(), state.x.size(), state.x.begin());
   }
 
   /// The velocity takes each correction over h: (x - before) / h would bring the rounding of x, divided by h, into the
   /// momentum.
-  void project(double h, State& state) const {
-    std::vector<double>& x = state.x;
+  void project(double h, State& state) {
+    std::vector<double>& x = all_;
     const Constraint& c = constraint_;
     double w = 0.0, moved = 0.0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
@@ -88,7 +91,7 @@ class Xpbd final : public PositionMethod {
   }
 
   int substeps_;
-  std::vector<double> before_;
+  std::vector<double> before_, all_;  // all_: positions with the fixed nodes behind
   Constraint constraint_;
 };
 
