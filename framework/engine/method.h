@@ -37,8 +37,10 @@ class Method {
   /// Whether stepIncrement() knows the change over a step better than the difference of two rounded states does.
   virtual bool hasIncrements() const { return false; }
   /// As step(), but `increment` receives the change of x and v over the step instead of the state after it, for
-  /// compensated summation: an increment is rounded to its own size, a state to the size of the state. The default is
-  /// the difference of the states.
+  /// compensated summation: an increment is rounded to its own size, a state to the size of the state. On entry its x
+  /// and v hold the low parts of the state, which its doubles have lost (or are empty); a method may add them to the
+  /// positions at which it evaluates forces, and does not add them to the increment. The default is the difference of
+  /// the states.
   virtual StepResult stepIncrement(const System& system, const State& from, double h, State& increment);
 
   /// Forgets what was kept from earlier steps (last force, earlier states): after a discontinuity.

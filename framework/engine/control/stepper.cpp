@@ -31,6 +31,10 @@ Stepper::Stepper(const System& system, Method& method, bool compensated, std::si
 }
 
 StepResult Stepper::step(const State& from, double h, double t, State& to) {
+  if (compensated_) {
+    to.x = low_.x;
+    to.v = low_.v;
+  }
   StepResult result = compensated_ ? method_.stepIncrement(system_, from, h, to) : method_.step(system_, from, h, to);
   if (compensated_ && result.done) {
     addCompensated(from.x, low_.x, to.x, nextLow_.x);
