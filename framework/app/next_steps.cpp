@@ -7,7 +7,7 @@ namespace muelle::app {
 
 void printNextSteps() {
   const auto step = [](const char* command, const char* what) {
-    fmt::print("  {} {}\n", bold(fmt::format("{:<34}", command)), what);
+    fmt::print("  {} {}\n", bold(fmt::format("{:<36}", command)), what);
   };
   fmt::print("Muelle: a course on mass-spring simulation that runs. What next?\n\n");
   step("./muelle check", "the first exercise that is not right yet, and what to mend");
@@ -18,6 +18,11 @@ void printNextSteps() {
   step("./muelle test-the-tests", "does every wrong submission lose what it must?");
   step("./muelle test", "the tests of the framework");
   step("./muelle docs", "write the documentation");
+#endif
+#if MUELLE_HAS_ENGINE
+  step("./muelle run elastic_pendulum --plot", "simulate a scene: error, energy, cost, curves");
+  step("./muelle figures", "draw the figures of the lecture");
+  step("./muelle hard-cases", "every method on every hard case");
 #endif
   fmt::print("\nEvery command explains itself: ./muelle check --help\n");
 }
