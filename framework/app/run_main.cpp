@@ -62,7 +62,7 @@ void writeResults(const Command& command, const Scene& scene, const SceneRun& ru
   }
   if (command.csv) {
     const fs::path file = folder / (scene.name + ".csv");
-    muelle::writeCsv(run.result.trajectory, file);
+    muelle::writeCsv(trajectoryOf(run), file);
     fmt::print("  {:<11} {}\n", "table", file.string());
   }
 }
@@ -99,7 +99,7 @@ int parseAndRun(int argc, char** argv) {
   app.add_flag("--no-error-estimate", command.noErrorEstimate,
                "Leave out the second run, with half the step, that costs twice the first");
   app.add_flag("--plot", command.plot, "Draw energy, outputs, shape and paths");
-  app.add_flag("--csv", command.csv, "Write the trajectory as a table");
+  app.add_flag("--csv", command.csv, "Write the trajectory as a table, nodes as the scene numbers them");
   app.add_option("--out", command.out, "Folder for figures and table [out/SCENE]");
   app.add_flag("--list", command.list, "Name the scenes, run none");
   app.add_flag("--methods", command.methods, "Name the methods, run none");

@@ -219,6 +219,31 @@ ErrorEstimate estimateError(const Scene& scene, const SceneRun& run, const std::
   return estimate;
 }
 
+Trajectory trajectoryOf(const SceneRun& run) {
+  const Trajectory& inside = run.result.trajectory;
+  const Model& model = run.system->model();
+  const std::array<int, 3> axes =
+      model.dimension == 2 ? std::array<int, 3>{model.plane[0], model.plane[1], 0} : std::array<int, 3>{0, 1, 2};
+  Trajectory given;
+  given.t = inside.t;
+  given.tracks = inside.tracks;
+  given.stop = inside.stop;
+  for (std::size_t row = 0; row < inside.t.size(); ++row) {
+    const State state{inside.t[row], inside.x[row], inside.v[row], {}};
+    std::vector<double>& x = given.x.emplace_back();
+    std::vector<double>& v = given.v.emplace_back();
+    for (int node = 0; node < run.system->nodeCount(); ++node) {
+      const Vec3 position = run.system->position(state, node);
+      const Vec3 velocity = run.system->velocity(state, node);
+      for (int i = 0; i < model.dimension; ++i) {
+        x.push_back(position[axes[static_cast<std::size_t>(i)]]);
+        v.push_back(velocity[axes[static_cast<std::size_t>(i)]]);
+      }
+    }
+  }
+  return given;
+}
+
 std::string summaryOf(const Scene& scene, const SceneRun& run) {
   const RunResult& result = run.result;
   std::string text = fmt::format("{}: {}\n", scene.name, scene.title);

@@ -134,6 +134,20 @@ TEST(Failure, OfARunIsReportedAndLeavesNoEstimate) {
   EXPECT_EQ(estimateError(scene, result).failure, "the run did not reach its end");
 }
 
+TEST(Table, HasTheNodesAsTheSceneNumbersThem) {
+  const Scene scene = readScene(MUELLE_SCENES "/hanging_chain.toml");
+  const SceneRun result = runScene(applied(scene, {.duration = 0.02}));
+  const Trajectory table = trajectoryOf(result);
+  ASSERT_EQ(table.x.front().size(), 2u * 21u);
+  for (int node = 0; node < 21; ++node) {
+    EXPECT_EQ(table.x.front()[static_cast<std::size_t>(2 * node)],
+              scene.model.nodes[static_cast<std::size_t>(node)].x[0]);
+    EXPECT_EQ(table.x.front()[static_cast<std::size_t>(2 * node + 1)],
+              scene.model.nodes[static_cast<std::size_t>(node)].x[2]);
+  }
+  EXPECT_EQ(table.x.back().front(), 0.0);  // a hook
+}
+
 TEST(Figures, AreThoseOfTheOutputs) {
   const Scene scene = readScene(MUELLE_SCENES "/elastic_pendulum.toml");
   const std::vector<Figure> figures = figuresOf(scene, runScene(scene));

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Usage: run_command_test.sh MUELLE_RUN. The command line of `muelle run`: exit codes, one-line errors, what it writes.
+set -uo pipefail
+run="$1"
+folder="$(mktemp -d)"
+trap 'rm -rf "$folder"' EXIT
+failures=0
+
+# expect CODE TEXT ARGUMENTS...: exit code, and a text that must stand in what is printed.
+expect() {
+  local code="$1" text="$2" printed status
+  shift 2
+  printed="$("$run" "$@" 2>&1 </dev/null)"
+  status=$?
+  if [[ $status -ne $code || $printed != *"$text"* ]]; then
+    printf 'muelle run %s: exit code %s (expected %s), printed:\n%s\n(expected in it: %s)\n' "$*" "$status" "$code" \
+      "$printed" "$text" >&2
+    failures=$((failures + 1))
+  fi
+  if [[ $code -eq 2 && ($printed != muelle:* || $printed == *$'\n'*) ]]; then
+    printf 'muelle run %s: an error is one line that begins with "muelle: ", got:\n%s\n' "$*" "$printed" >&2
+    failures=$((failures + 1))
+  fi
+}
+
+expect 0 "Examples:" --help
+expect 0 "rabbit_squeezed" --list
+expect 0 "velocity_verlet" --methods
+expect 0 "step halved, order 2" oscillator --out "$folder/summary"
+[[ ! -e "$folder/summary" ]] || { echo "muelle run wrote without --plot or --csv" >&2; failures=$((failures + 1)); }
+expect 0 "symplectic Euler" oscillator --integrator symplectic-euler --dt 0.001 --duration 1
+expect 0 "not estimated" oscillator --no-error-estimate
+expect 0 "oscillator_energy.svg" oscillator --plot --csv --out "$folder/figures"
+for file in oscillator_energy.svg oscillator_outputs.svg oscillator_shape.svg oscillator.csv; do
+  [[ -s "$folder/figures/$file" ]] || { echo "muelle run did not write $file" >&2; failures=$((failures + 1)); }
+done
+expect 1 "muelle: oscillator:" oscillator --integrator explicit_euler --dt 0.5 --duration 100
+expect 2 "SCENE is missing"
+expect 2 "did you mean 'oscillator'?" oscilator
+expect 2 "no scene file" missing/scene.toml
+expect 2 "did you mean 'dop853'?" oscillator --integrator dop85
+expect 2 "--dt is 0 s" oscillator --dt 0
+expect 2 "--dt is nan s" oscillator --dt nan
+expect 2 "has no error estimate" oscillator --tolerance 1e-6
+expect 2 "--duraton" oscillator --duraton 3
+expect 2 "velocity" dumbbell --integrator nystrom8
+printf 'title = "x"\ngravty = 3\n' >"$folder/bad.toml"
+expect 2 "bad.toml:2: key 'gravty': unknown; did you mean 'gravity'?" "$folder/bad.toml"
+exit $((failures > 0))
