@@ -136,7 +136,9 @@ TEST(Failure, OfARunIsReportedAndLeavesNoEstimate) {
 
 TEST(Table, HasTheNodesAsTheSceneNumbersThem) {
   const Scene scene = readScene(MUELLE_SCENES "/hanging_chain.toml");
-  const SceneRun result = runScene(applied(scene, {.duration = 0.02}));
+  RunOverrides overrides;
+  overrides.duration = 0.02;
+  const SceneRun result = runScene(applied(scene, overrides));
   const Trajectory table = trajectoryOf(result);
   ASSERT_EQ(table.x.front().size(), 2u * 21u);
   for (int node = 0; node < 21; ++node) {
