@@ -53,6 +53,26 @@ TEST(HangingChain, EndsWhereTheForcesSumToZero) {
   for (const double component : f) EXPECT_LT(std::abs(component), 1e-3 * 0.981);
 }
 
+TEST(ColumnAtRest, EverySpringCarriesWhatLiesAboveIt) {
+  const SceneRun run = runScene(shipped("column_at_rest"));
+  const double weight = 9.81;  // of a block of 1 kg
+  const double k = 1e4;
+  double height = -10.0 * weight / k;  // the ground carries all ten
+  for (int block = 0; block < 10; ++block) {
+    EXPECT_NEAR(run.system->position(run.result.last, block)[0], height, 1e-8) << block;
+    height += 0.1 - (9 - block) * weight / k;
+  }
+}
+
+TEST(BouncingBall, ComesBackToItsHeight) {
+  const SceneRun run = runScene(shipped("bouncing_ball"));
+  EXPECT_TRUE(run.isConservative());
+  // At the outputs in flight; inside the contact the method's energy swings by (h omega)^2 / 8 = 3e-3 of its size.
+  EXPECT_LT(run.energyDrift(), 0.01);
+  const std::vector<double>& E = run.result.trajectory.track("total energy");
+  EXPECT_NEAR(E.back(), 9.81, 1e-4 * 9.81);
+}
+
 TEST(Whip, TipIsManyTimesFasterThanTheHandle) {
   const SceneRun run = runScene(shipped("whip"));
   const Trajectory& t = run.result.trajectory;
