@@ -4,6 +4,8 @@
 #include <cmath>
 #include <Eigen/Dense>
 #include <functional>
+#include <limits>
+#include <span>
 
 namespace muelle::hard_cases {
 
@@ -134,7 +136,17 @@ std::optional<Matrix> stepMatrix(const std::string& id, const Mode& m, double h)
   return std::nullopt;
 }
 
+/// Distance in the mode's plane [m]: velocities over omega.
+double sizeOf(const Mode& mode, const Vector2d& y) {
+  return std::hypot(y[0], y[1] / std::sqrt(std::max(std::abs(mode.stiffness), 1e-300)));
+}
+
 }  // namespace
+
+double exactSize(const Mode& mode, double duration) {
+  const double T = mode.duration > 0.0 ? mode.duration : duration;
+  return sizeOf(mode, exponential(T * generator(mode)) * Vector2d(mode.amplitude, mode.speed));
+}
 
 std::optional<ModeForecast> forecast(const engine::MethodInfo& method, const Mode& mode, double h, double duration) {
   const double T = mode.duration > 0.0 ? mode.duration : duration;
@@ -156,11 +168,11 @@ std::optional<ModeForecast> forecast(const engine::MethodInfo& method, const Mod
     result.growth = spectralRadius(*step);
   }
   const Vector2d exact = exponential(T * generator(mode)) * start;
-  const double omega = std::sqrt(std::max(std::abs(mode.stiffness), 1e-300));
-  const auto size = [omega](const Vector2d& y) { return std::hypot(y[0], y[1] / omega); };
-  result.error = std::abs(mode.stiffness) > 0.0 ? size(end - exact) : std::abs(end[0] - exact[0]);
-  result.size = size(end);
-  if (!std::isfinite(result.error)) result.error = result.size = std::numeric_limits<double>::infinity();
+  result.error = std::abs(mode.stiffness) > 0.0 ? sizeOf(mode, end - exact) : std::abs(end[0] - exact[0]);
+  result.size = sizeOf(mode, end);
+  result.sizeError = std::abs(result.size - sizeOf(mode, exact));
+  if (!std::isfinite(result.error))
+    result.error = result.size = result.sizeError = std::numeric_limits<double>::infinity();
   return result;
 }
 

@@ -36,6 +36,7 @@ int runAll(const Command& command) {
     const std::filesystem::path folder = command.out;
     std::filesystem::create_directories(folder);
     muelle::writeFile(folder / "hard_cases.md", matrixPage(matrix));
+    muelle::writeFigures({matrixFigure(matrix)}, folder, {muelle::Format::Svg, muelle::Format::Png});
     if (command.csv.empty()) muelle::writeFile(folder / "hard_cases.csv", matrixCsv(matrix));
   }
   return matrix.count(Outcome::FailedUnexpectedly) == 0 ? 0 : 1;

@@ -29,8 +29,9 @@ void refuseUnknown(const std::vector<std::string>& asked, const std::vector<std:
 engine::RunOptions optionsOf(const engine::MethodInfo& method, const Variant& variant, double duration, bool longRuns) {
   engine::RunOptions options = method.adaptive ? withTolerance(variant.steps.tolerance, duration)
                                                : fixedStep(variant.steps.of(method), duration);
+  options.explosion = 1e9;
   options.mostForceEvaluations = cellBudget * (longRuns ? 1000 : 1);
-  if (!method.adaptive && !longRuns) options.mostForceEvaluations *= 100;  // the number of steps is their bound
+  if (!method.adaptive && !longRuns) options.mostForceEvaluations *= 10;  // the number of steps is their bound
   return options;
 }
 

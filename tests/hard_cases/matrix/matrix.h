@@ -1,4 +1,5 @@
 #pragma once
+#include "harness/figure.h"
 #include "matrix/prediction.h"
 
 #include <functional>
@@ -23,9 +24,9 @@ struct Cell {
 };
 
 struct MatrixOptions {
-  std::vector<std::string> cases;    ///< "H04"; empty: all
-  std::vector<std::string> methods;  ///< ids; empty: all
-  bool longRuns = false;             ///< H01 in full, and larger budgets
+  std::vector<std::string> cases = {};    ///< "H04"; empty: all
+  std::vector<std::string> methods = {};  ///< ids; empty: all
+  bool longRuns = false;                  ///< H01 in full, and larger budgets
 };
 
 struct Matrix {
@@ -53,5 +54,7 @@ std::string summaryText(const Matrix& matrix);
 std::string matrixCsv(const Matrix& matrix);
 /// The page of the documentation.
 std::string matrixPage(const Matrix& matrix);
+/// The matrix as a table of colours, with the power of ten of each error.
+Figure matrixFigure(const Matrix& matrix);
 
 }  // namespace muelle::hard_cases

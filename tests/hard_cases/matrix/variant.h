@@ -31,19 +31,21 @@ enum class Measure {
 /// A case as it is run in the matrix: what, for how long, at which steps, and what counts as passed; and the facts from
 /// which the outcome is predicted.
 struct Variant {
-  std::string id;        ///< "H04"
-  std::string name;      ///< "regular": when a case has several variants
-  std::string measured;  ///< "distance from the reference at t = 10 s [m]"
-  Model model;
+  std::string id = {};        ///< "H04"
+  std::string name = {};      ///< "regular": when a case has several variants
+  std::string measured = {};  ///< "distance from the reference at t = 10 s [m]"
+  Model model = {};
   double duration = 1.0;      ///< [s]
   double longDuration = 0.0;  ///< [s] with --long; 0: as duration
   double bar = 1e-3;          ///< largest error that passes
-  Steps steps;
-  std::function<double(const Finished&)> error;
+  Steps steps = {};
+  std::function<double(const Finished&)> error = {};
   Measure measure = Measure::Error;
 
   // Facts for the prediction.
-  std::vector<Mode> modes;
+  std::vector<Mode> modes = {};
+  bool linear = false;       ///< linear theory is exact; elsewhere its forecasts are trusted to a factor of 3
+  double errorGrowth = 1.0;  ///< growth of a small error over the run, for methods that choose their steps
   double flightAcceleration =
       0.0;                  ///< [m/s^2] of a ballistic part of the motion, by which first order methods are off ...
   double flightTime = 0.0;  ///< ... after this time [s]

@@ -32,6 +32,7 @@ Variant h01() {
   v.measure = Measure::Energy;
   v.error = [](const Finished& end) { return std::abs(end.energy() / 0.5 - 1.0); };
   v.modes = {mode(1.0, 1.0)};
+  v.linear = true;
   return v;
 }
 
@@ -42,6 +43,7 @@ Variant h02(int d) {
   v.steps = {1e-3, 1e-3, 1e-3, 1e-3, 1e-8};
   v.error = coordinate(0, reference("H02", "x(d=" + std::to_string(d) + ")"));
   v.modes = {{.stiffness = 100.0, .damping = static_cast<double>(d)}};
+  v.linear = true;
   return v;
 }
 
@@ -54,6 +56,7 @@ Variant h03() {
   v.measure = Measure::Size;
   v.error = [](const Finished& end) { return std::hypot(end.x(0)[0], end.v(0)[0] / 100.0); };
   v.modes = {mode(100.0, 1.0)};
+  v.linear = true;
   return v;
 }
 
@@ -91,6 +94,7 @@ Variant h05() {
     return std::abs(mean - reference("H05", "hbar(1)"));
   };
   v.modes = {mode(20.0, 0.5)};
+  v.linear = true;
   return v;
 }
 
@@ -169,6 +173,7 @@ Variant h10() {
   };
   v.modes = {mode(reference("H10", "longitudinal.omega1"), 0.01), mode(reference("H10", "longitudinal.omega50"), 0.01)};
   v.coupled = 51;
+  v.linear = true;
   return v;
 }
 
@@ -180,6 +185,7 @@ Variant h11() {
   v.error = coordinate(1, 2.0 + reference("H11", "u2(10)"));
   v.modes = {mode(reference("H11", "omega_fast"), 1e-7), mode(reference("H11", "omega_slow"), 0.1)};
   v.coupled = 2;
+  v.linear = true;
   return v;
 }
 
@@ -191,6 +197,7 @@ Variant h12() {
   v.error = coordinate(1, reference("H12", "one_d.z2(1)"));
   v.modes = {mode(reference("H12", "omega_fast"), 1e-7), mode(reference("H12", "omega_slow"), 0.196)};
   v.coupled = 2;
+  v.linear = true;
   return v;
 }
 
@@ -222,13 +229,14 @@ Variant h14() {
   v.error = [](const Finished& end) { return std::abs(end.x(0)[1] - reference("H14", "t3.y2")); };
   // Growth at 7.07 /s from 1e-6 m until the ring is reached after 1.9 s; then the way back to the saddle.
   v.modes = {{.stiffness = -50.0, .amplitude = 1e-6, .duration = 1.9}};
+  v.errorGrowth = 6300.0;
   return v;
 }
 
 Variant h14Stiff() {
   Variant v{
-      .id = "H14", .name = "stiff", .measured = "distance from the ring after 3 s [m]", .model = buckling(1e6, 1e-6)};
-  v.duration = 3.0;
+      .id = "H14", .name = "stiff", .measured = "distance from the ring after 6 s [m]", .model = buckling(1e6, 1e-6)};
+  v.duration = 6.0;
   v.bar = 1e-3;
   v.steps = {1.0 / 60, 1.0 / 60, 1.0 / 60, 1.0 / 60, 1e-6};
   v.measure = Measure::Size;
@@ -261,10 +269,11 @@ Variant h16() {
     }
     return largest;
   };
-  // The fall about the hung edge, and the shortest waves: 2 sqrt(k/m) along both axes and the diagonals. The damper of
-  // a spring d = 1e-5 k adds omega^2 1e-5.
+  // The fall about the hung edge, four times as sensitive as a mode of its own: with backward Euler at 1/60 s the case
+  // states an error of 0.156 m, the mode alone has 0.04; and the shortest waves: 2 sqrt(k/m) along both axes and the
+  // diagonals. The damper of a spring d = 1e-5 k adds omega^2 1e-5.
   const double top = 3400.0;
-  v.modes = {mode(3.3, 0.9), {.stiffness = top * top, .amplitude = 1e-5, .damping = 1e-5 * top * top}};
+  v.modes = {mode(3.3, 0.9, 4.0), {.stiffness = top * top, .amplitude = 1e-5, .damping = 1e-5 * top * top}};
   v.stiffest = top;
   v.coupled = 342;
   return v;
@@ -283,7 +292,8 @@ Variant h17() {
               .amplitude = 0.0,
               .speed = 4.43,
               .sensitivity = 5.0 * omega,
-              .duration = 11 * 0.00998}};
+              .duration = 11 * 0.00998,
+              .located = true}};
   v.flightAcceleration = 9.81;
   v.flightTime = 10.0;
   return v;
@@ -308,18 +318,22 @@ Variant h19() {
   v.bar = 1e-3;
   v.steps = {1e-6, 1e-5, 2e-5, 1e-6, 1e-9};
   v.error = coordinate(0, reference("H19", "x(0.1)"));
-  v.modes = {{.stiffness = 4e8, .amplitude = 0.0, .speed = 100.0, .sensitivity = 0.09 * 2e4, .duration = 1.570796e-4}};
+  v.modes = {{.stiffness = 4e8,
+              .amplitude = 0.0,
+              .speed = 100.0,
+              .sensitivity = 0.09 * 2e4,
+              .duration = 1.570796e-4,
+              .located = true}};
   return v;
 }
 
 Variant h20() {
-  Variant v{
-      .id = "H20", .name = "26.5 degrees", .measured = "creep between 1 s and 10 s [m]", .model = incline(26.5, 0.0)};
+  Variant v{.id = "H20", .name = "26.5 degrees", .measured = "distance slid in 10 s [m]", .model = incline(26.5, 0.0)};
   v.duration = 10.0;
   v.bar = 1e-6;
-  v.steps = {2e-4, 2e-4, 2e-4, 1e-3, 1e-6};
+  v.steps = {2e-4, 2e-4, 2e-4, 1e-3, 1e-9};
   v.error = [](const Finished& end) {
-    return downhill(end.x(0), end.system->position(end.system->initialState(), 0), 26.5);
+    return std::abs(downhill(end.x(0), end.system->position(end.system->initialState(), 0), 26.5));
   };
   // Across the plane the ground's stiffness, along it the slider's with its damper; both start balanced but for
   // rounding.
@@ -354,6 +368,7 @@ Variant h23() {
   v.steps = {1.0 / 60, 1.0 / 60, 1.0 / 60, 1.0 / 60, 1e-9};
   v.error = [](const Finished& end) { return std::abs(end.x(0)[0] / reference("H23", "drag.x(1)") - 1.0); };
   v.modes = {{.stiffness = 1.0, .amplitude = 0.0, .speed = 1.0, .drag = 1e4, .sensitivity = 1e4}};
+  v.linear = true;
   return v;
 }
 
