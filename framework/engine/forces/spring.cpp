@@ -132,8 +132,11 @@ void Spring<D>::addDiscreteGradientForce(const Configuration& a, const Configura
     if (kind_ == SpringKind::Unilateral) {
       // E is a function of L alone: (Ea - Eb) / (La - Lb) times (da + db) / (La + Lb) is exact.
       const double La = length<D>(da), Lb = length<D>(db);
-      const double ea = acts(i, La, a.z) ? La - s.L0 : 0.0, eb = acts(i, Lb, b.z) ? Lb - s.L0 : 0.0;
-      const double slope = std::abs(La - Lb) > 1e-12 * (La + Lb) ? (ea * ea - eb * eb) / (La - Lb) : ea + eb;
+      const bool actsA = acts(i, La, a.z), actsB = acts(i, Lb, b.z);
+      const double ea = actsA ? La - s.L0 : 0.0, eb = actsB ? Lb - s.L0 : 0.0;
+      // Acting at both ends the quotient is ea + eb; formed as a quotient it would be all rounding near rest.
+      const bool isQuotient = actsA != actsB && std::abs(La - Lb) > 1e-12 * (La + Lb);
+      const double slope = isQuotient ? (ea * ea - eb * eb) / (La - Lb) : ea + eb;
       if (La + Lb > 0.0) F = -0.5 * s.k * slope * ((da + db) / (La + Lb));
     } else if (D == 1 && kind_ == SpringKind::Crossing && *internal(i, a.z) != 0.0) {
       F[0] = -s.k * (0.5 * (da[0] + db[0]) - *internal(i, a.z) * s.L0);
