@@ -7,8 +7,8 @@
 
 namespace muelle::engine {
 
-/// Where all nodes are, free ones first, in the numbering of a built model; node i of dimension D has entries D i ..
-/// D i + D - 1. z are the internal variables of the whole model.
+/// Where all nodes are, free ones first, in the numbering of a built model; node i of dimension D has the D
+/// entries from D i on. z are the internal variables of the whole model.
 struct Configuration {
   double t = 0.0;             ///< [s]
   const double* x = nullptr;  ///< [m]
