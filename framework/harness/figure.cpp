@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 #include <stdexcept>
@@ -154,12 +155,33 @@ Figure::PanelBuilder& Figure::PanelBuilder::xLabel(std::string text) {
   return *this;
 }
 
+namespace {
+
+void requireRange(double low, double high) {
+  if (low < high && std::isfinite(low) && std::isfinite(high)) return;
+  throw std::invalid_argument(
+      fmt::format("Figure: a range goes from a lower to a higher number, not {} to {}", low, high));
+}
+
+bool isEquallySpaced(const std::vector<double>& lines) {
+  if (lines.size() < 2) return false;
+  const double step = (lines.back() - lines.front()) / static_cast<double>(lines.size() - 1);
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    if (!(std::abs(lines[i] - lines[i - 1] - step) < 1e-6 * step)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 Figure::PanelBuilder& Figure::PanelBuilder::xRange(double low, double high) {
+  requireRange(low, high);
   panel().xRange = {low, high};
   return *this;
 }
 
 Figure::PanelBuilder& Figure::PanelBuilder::yRange(double low, double high) {
+  requireRange(low, high);
   panel().yRange = {low, high};
   return *this;
 }
@@ -172,7 +194,11 @@ Figure::PanelBuilder& Figure::PanelBuilder::note(double x, double y, std::string
 
 Figure::PanelBuilder& Figure::PanelBuilder::field(Field field) {
   requirePlain("label of the colours", field.label);
-  if (field.x.size() < 2 || field.y.size() < 2 || field.values.size() != field.x.size() * field.y.size()) {
+  if (!isEquallySpaced(field.x) || !isEquallySpaced(field.y)) {
+    throw std::invalid_argument("Figure: the lines of a field's grid ascend by equal distances, at least two each way");
+  }
+  if (field.range) requireRange(field.range->first, field.range->second);
+  if (field.values.size() != field.x.size() * field.y.size()) {
     throw std::invalid_argument(
         fmt::format("Figure: {} values for a grid of {} by {}", field.values.size(), field.x.size(), field.y.size()));
   }

@@ -35,15 +35,16 @@ struct Note {
   bool centred;  ///< else to the right of the point
 };
 
+/// The ends of an axis or of a scale that are not left to the data.
+using FixedRange = std::optional<std::pair<double, double>>;
+
 /// Values over a rectangle, shown by colour in bands.
 struct Field {
   std::vector<double> x, y;    ///< grid lines, ascending and equally spaced
   std::vector<double> values;  ///< y.size() rows of x.size()
   std::string label;           ///< of the colour scale, with its unit
+  FixedRange range = {};       ///< of the colours; empty: from the least to the greatest value
 };
-
-/// The ends of an axis that is not left to the data.
-using FixedRange = std::optional<std::pair<double, double>>;
 
 /// One plot of a figure. Panels are stacked and share the x axis, unless the figure is a slide.
 struct Panel {
@@ -105,10 +106,11 @@ class Figure {
     PanelBuilder& xLabel(std::string text);
     PanelBuilder& logX();
     PanelBuilder& equalAxes();
+    /// Throw std::invalid_argument unless low < high, both finite.
     PanelBuilder& xRange(double low, double high);
     PanelBuilder& yRange(double low, double high);
     PanelBuilder& note(double x, double y, std::string text, bool centred = false);
-    /// Throws std::invalid_argument when the values do not fill the grid.
+    /// Throws std::invalid_argument when the values do not fill the grid, or its lines are not equally spaced.
     PanelBuilder& field(Field field);
     /// Names instead of 0, 1, 2 ... along an axis.
     PanelBuilder& xNames(std::vector<std::string> names);
@@ -131,7 +133,8 @@ class Figure {
   /// Logarithmic x axis: for errors against steps.
   Figure& logX();
 
-  /// For a lecture: 16 : 9, panels side by side in so many columns, each with an x axis of its own.
+  /// For a lecture: 16 : 9, panels side by side in so many columns, each with an x axis of its own. The label of the x
+  /// axis is left out where the panel below has the same. Throws std::invalid_argument when columns < 1.
   Figure& slide(int columns = 1);
 
   const std::string& id() const { return id_; }

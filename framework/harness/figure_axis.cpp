@@ -1,5 +1,6 @@
 #include "harness/figure_axis.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 
@@ -30,6 +31,25 @@ AxisRange AxisFitter::range(double margin) const {
   if (size < 1e-12) return {-1.0, 1.0};
   if (seen_.span() < 1e-9 * size) return {seen_.middle() - 0.1 * size, seen_.middle() + 0.1 * size};
   return widened(seen_, (1.0 + 2.0 * margin) * seen_.span());
+}
+
+double ticStep(const AxisRange& range, double length, double pitch) {
+  const double least = range.span() * pitch / length;
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double digit : {1.0, 2.0, 5.0}) {
+    if (digit * power >= least * (1.0 - 1e-9)) return digit * power;
+  }
+  return 10.0 * power;
+}
+
+std::size_t widestNumber(const AxisRange& range, double step) {
+  std::size_t widest = 1;
+  constexpr int most = 100;  // numbers on an axis, for ranges without any sense
+  const double first = std::ceil(range.low / step);
+  for (int i = 0; i < most && (first + i) * step <= range.high; ++i) {
+    widest = std::max(widest, fmt::format("{:.10g}", (first + i) * step).size());
+  }
+  return widest;
 }
 
 AxisRange widened(const AxisRange& range, double span) {

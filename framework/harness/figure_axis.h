@@ -1,5 +1,5 @@
 #pragma once
-#include <vector>
+#include <cstddef>
 
 namespace muelle {
 
@@ -31,6 +31,13 @@ class AxisFitter {
   bool empty_ = true;
   AxisRange seen_;
 };
+
+/// Distance of the numbers on a linear axis: the smallest of 1, 2 and 5 times a power of ten that leaves at least
+/// `pitch` between them where the axis is `length` long.
+double ticStep(const AxisRange& range, double length, double pitch);
+
+/// How many characters the longest of the multiples of `step` in the range has.
+std::size_t widestNumber(const AxisRange& range, double step);
 
 /// Widens a range about its middle to the given span.
 AxisRange widened(const AxisRange& range, double span);

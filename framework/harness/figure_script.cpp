@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 namespace muelle {
@@ -26,6 +27,9 @@ constexpr double stackedHeight = 196;
 constexpr double equalHeight = 500;
 constexpr double slideHeight = 540;  // 16 : 9
 constexpr double slideFoot = 66;     // numbers and label of an x axis
+constexpr double numbersFoot = 40;   // numbers alone
+constexpr double slideIndent = 24;   // the y label begins so far right of its column's beginning
+constexpr double rowPitch = 40;      // between numbers on a y axis, at least
 constexpr double headingHeight = 26;
 constexpr double columnGap = 26;
 constexpr double colourScale = 92;           // room for a field's colour scale, its numbers and its label
@@ -112,7 +116,11 @@ struct PanelPlan {
   KeyRows key;
   AxisRange x, y;
   Box box;
-  int fieldBlock = -1;  ///< index of the field in the data file
+  int fieldBlock = -1;              ///< index of the field in the data file
+  double leftMargin = plotLeft;     ///< room for the numbers or names of the y axis
+  double labelLeft = 0;             ///< where the y label begins
+  bool hasXLabel = true;            ///< of a slide's panel: no when the one below has the same
+  bool headingBesideLabel = false;  ///< both in one row
 };
 
 bool anyPoints(const Panel& panel) {
@@ -120,11 +128,31 @@ bool anyPoints(const Panel& panel) {
                      [](const Series& s) { return s.pen != Pen::Line && s.pen != Pen::Reference; });
 }
 
-/// Room left of the plot, for the numbers or names of the y axis.
-double leftMargin(const Panel& panel) {
+/// Room left of a slide's plot, for the numbers or names of the y axis. \param height of the plot, about
+double leftMarginOf(const Panel& panel, const AxisRange& y, double height) {
+  if (panel.yNames.empty()) {
+    const double widest = panel.logY ? 5.0 : static_cast<double>(widestNumber(y, ticStep(y, height, rowPitch)));
+    return std::clamp(34 + characterWidth * widest, 64.0, plotLeft);
+  }
   double widest = 0;
   for (const std::string& name : panel.yNames) widest = std::max(widest, static_cast<double>(name.size()));
   return std::max(plotLeft, 20 + nameWidth * widest);
+}
+
+/// Distance of the numbers on the x axis of a slide: as close as they stay apart.
+double xTicStep(const AxisRange& range, double width) {
+  double step = range.span();
+  for (double pitch = std::max(30.0, 0.1 * width); pitch < width; pitch += 10) {
+    step = ticStep(range, width, pitch);
+    if (characterWidth * static_cast<double>(widestNumber(range, step)) + 16 <= width * step / range.span()) break;
+  }
+  return step;
+}
+
+/// The same on a logarithmic axis: the factor between numbers.
+double logTicFactor(const AxisRange& range, double length, double pitch) {
+  const double decades = std::log10(range.high / range.low);
+  return std::pow(10.0, std::max(1.0, std::ceil(decades * pitch / length)));
 }
 
 /// The curves in the order in which the key names them: the simulated ones first.
@@ -178,8 +206,12 @@ class ScriptWriter {
     }
     for (PanelPlan& plan : plans_) {
       if (!figure_.isSlide()) plan.x = shared.range(points ? 0.04 : 0.0);
-      const double width = figure_.isSlide() ? columnWidth() - leftMargin(*plan.panel) : plotRight - plotLeft;
-      plan.key = keyRows(plan.curves, plan.panel->yLabel, width + labelIndent);
+      double width = plotRight - plotLeft + labelIndent;
+      if (figure_.isSlide()) {
+        plan.leftMargin = leftMarginOf(*plan.panel, plan.y, slideHeight / static_cast<double>(rowsOfSlide()) - 130);
+        width = columnWidth() - slideIndent - besideKey(*plan.panel);
+      }
+      plan.key = keyRows(plan.curves, plan.panel->yLabel, width);
     }
   }
 
@@ -242,6 +274,7 @@ class ScriptWriter {
       y += rowHeight * static_cast<double>(plan.key.size()) + headerFoot;
       plan.box = {plotLeft, plotRight, y, y + plotHeight};
       if (figure_.hasEqualAxes()) equaliseAxes(plan, 360);
+      plan.labelLeft = plan.box.left - labelIndent;
       y += plotHeight + panelGap;
     }
     canvas_ = Canvas(y - panelGap + footHeight);
@@ -251,35 +284,69 @@ class ScriptWriter {
     return (canvasWidth - (canvasWidth - plotRight) - columnGap * (figure_.columns() - 1)) / figure_.columns();
   }
 
-  /// Rows of panels of equal height; in a row, what stands above the plots is as high as the highest needs.
+  std::size_t rowsOfSlide() const {
+    const auto columns = static_cast<std::size_t>(figure_.columns());
+    return std::max<std::size_t>(1, (figure_.panels().size() + columns - 1) / columns);
+  }
+
+  /// The label of a field's colours stands right of the key.
+  static double besideKey(const Panel& panel) { return panel.field ? widthOf(panel.field->label) + entryGap : 0.0; }
+
+  /// Rows of plots of equal height; in a row, what stands above and below the plots is as high as the highest needs.
   void placeOnSlide() {
     const auto columns = static_cast<std::size_t>(figure_.columns());
-    const std::size_t rows = (plans_.size() + columns - 1) / columns;
-    const double rowSpace = (slideHeight - titleHeight) / static_cast<double>(rows);
-    for (std::size_t row = 0; row < rows; ++row) {
-      const std::size_t end = std::min(plans_.size(), (row + 1) * columns);
-      double header = 0;
-      for (std::size_t i = row * columns; i < end; ++i) header = std::max(header, headerOf(plans_[i]));
-      for (std::size_t i = row * columns; i < end; ++i) {
-        const double left = static_cast<double>(i - row * columns) * (columnWidth() + columnGap);
-        const double top = titleHeight + rowSpace * static_cast<double>(row);
-        const double right = left + columnWidth() - (plans_[i].panel->field ? colourScale : 0.0);
-        plans_[i].box = {left + leftMargin(*plans_[i].panel), right, top + header, top + rowSpace - footOf(plans_[i])};
-        if (figure_.hasEqualAxes() || plans_[i].panel->equalAxes) equaliseAxes(plans_[i], 0);
-      }
+    const std::size_t rows = rowsOfSlide();
+    std::vector<double> headers(rows, 0.0), feet(rows, 0.0);
+    double plotHeight = slideHeight - titleHeight;
+    for (std::size_t i = 0; i < plans_.size(); ++i) {
+      plans_[i].hasXLabel =
+          i + columns >= plans_.size() || xLabelOf(*plans_[i].panel) != xLabelOf(*plans_[i + columns].panel);
+      plans_[i].headingBesideLabel = fitsBesideLabel(plans_[i]);
+      headers[i / columns] = std::max(headers[i / columns], headerOf(plans_[i]));
+      feet[i / columns] = std::max(feet[i / columns], footOf(plans_[i]));
+    }
+    for (std::size_t row = 0; row < rows; ++row) plotHeight -= headers[row] + feet[row];
+    plotHeight /= static_cast<double>(rows);
+    double top = titleHeight;
+    for (std::size_t i = 0; i < plans_.size(); ++i) {
+      const double left = static_cast<double>(i % columns) * (columnWidth() + columnGap);
+      const double right = left + columnWidth() - (plans_[i].panel->field ? colourScale : 0.0);
+      const double plotTop = top + headers[i / columns];
+      plans_[i].box = {left + plans_[i].leftMargin, right, plotTop, plotTop + plotHeight};
+      if (figure_.hasEqualAxes() || plans_[i].panel->equalAxes) equaliseAxes(plans_[i], 0);
+      placeLabel(plans_[i]);
+      if (i % columns + 1 == columns) top = plotTop + plotHeight + feet[i / columns];
     }
     canvas_ = Canvas(slideHeight);
   }
 
+  /// Whether the heading, over the middle of the plot, leaves room for the y label at the column's beginning.
+  bool fitsBesideLabel(const PanelPlan& plan) const {
+    const Panel& panel = *plan.panel;
+    if (panel.heading.empty() || panel.field || plan.key.size() > 1 || !plan.key.front().empty()) return false;
+    const double middle = 0.5 * (plan.leftMargin + columnWidth());
+    return middle - 0.5 * headingWidth(panel) > slideIndent + widthOf(panel.yLabel) + 10;
+  }
+
+  static double headingWidth(const Panel& panel) { return widthOf(panel.heading) * 18 / 17; }
+
+  /// Over the numbers of the y axis, further left where the heading would touch it.
+  static void placeLabel(PanelPlan& plan) {
+    plan.labelLeft = plan.box.left - std::min(labelIndent, plan.leftMargin - slideIndent);
+    if (!plan.headingBesideLabel) return;
+    const double heading = 0.5 * (plan.box.left + plan.box.right) - 0.5 * headingWidth(*plan.panel);
+    plan.labelLeft = std::min(plan.labelLeft, heading - 10 - widthOf(plan.panel->yLabel));
+  }
+
   static double headerOf(const PanelPlan& plan) {
     return rowHeight * static_cast<double>(plan.key.size()) + headerFoot +
-           (plan.panel->heading.empty() ? 0.0 : headingHeight);
+           (plan.panel->heading.empty() || plan.headingBesideLabel ? 0.0 : headingHeight);
   }
 
   static double footOf(const PanelPlan& plan) {
     double longest = 0;
     for (const std::string& name : plan.panel->xNames) longest = std::max(longest, static_cast<double>(name.size()));
-    return slideFoot + (longest > shortName ? nameWidth * longest * 0.8 - 20 : 0.0);
+    return (plan.hasXLabel ? slideFoot : numbersFoot) + (longest > shortName ? nameWidth * longest * 0.8 - 20 : 0.0);
   }
 
   /// Gives both axes one scale: narrows the box about its middle, and widens a range where the box would get too slim.
@@ -365,21 +432,24 @@ class ScriptWriter {
     if (!isFirst) put("unset label; unset arrow; unset colorbox");
     put("set lmargin at screen {}; set rmargin at screen {}", canvas_.x(box.left), canvas_.x(box.right));
     put("set tmargin at screen {}; set bmargin at screen {}", canvas_.y(box.top), canvas_.y(box.bottom));
+    // Before the range, which the axis of the panel before may not be able to have.
+    put("{}", plan.panel->logY ? "set logscale y; set format y '10^{%T}'" : "unset logscale y; set format y '%.10g'");
+    if (figure_.isSlide()) put("{}", logX(*plan.panel) ? "set logscale x" : "unset logscale x");
     put("set xrange [{:.15g}:{:.15g}]", plan.x.low, plan.x.high);
     put("set yrange [{:.15g}:{:.15g}]", plan.y.low, plan.y.high);
-    put("{}", plan.panel->logY ? "set logscale y; set format y '10^{%T}'" : "unset logscale y; set format y '%.10g'");
     const bool hasOwnX = isLast || figure_.isSlide();
     const char* xFormat = logX(*plan.panel) ? "10^{%T}" : "%.10g";
     put("set format x '{}'", hasOwnX ? xFormat : "");
     if (figure_.isSlide()) writeAxes(plan);
-    if (hasOwnX) {
+    if (hasOwnX && plan.hasXLabel) {
       const double below = footOf(plan) - (figure_.isSlide() ? 14 : 12);
       putText(xLabelOf(*plan.panel), 0.5 * (box.left + box.right), box.bottom + below, "center");
     }
     const double firstRow = box.top - headerFoot - rowHeight * (static_cast<double>(plan.key.size()) - 0.5);
-    putText(plan.panel->yLabel, box.left - labelIndent, firstRow, "left");
+    putText(plan.panel->yLabel, plan.labelLeft, firstRow, "left");
+    const double common = keyColumn(plan);
     for (std::size_t row = 0; row < plan.key.size(); ++row) {
-      writeKeyRow(plan.key[row], firstRow + rowHeight * static_cast<double>(row), box);
+      writeKeyRow(plan.key[row], firstRow + rowHeight * static_cast<double>(row), plan, common);
     }
     writeCurves(plan);
   }
@@ -394,10 +464,11 @@ class ScriptWriter {
   void writeAxes(const PanelPlan& plan) {
     const Panel& panel = *plan.panel;
     const Box& box = plan.box;
-    put("{}", logX(panel) ? "set logscale x" : "unset logscale x");
-    writeNames('x', panel.xNames);
-    writeNames('y', panel.yNames);
-    const double heading = box.top - headerFoot - rowHeight * static_cast<double>(plan.key.size()) - 0.5 * rowHeight;
+    const double width = box.right - box.left, height = box.bottom - box.top;
+    writeTics('x', panel.xNames, logX(panel) ? logTicFactor(plan.x, width, 56) : xTicStep(plan.x, width));
+    writeTics('y', panel.yNames, panel.logY ? logTicFactor(plan.y, height, 32) : ticStep(plan.y, height, rowPitch));
+    const double rows = static_cast<double>(plan.key.size()) + (plan.headingBesideLabel ? -0.5 : 0.5);
+    const double heading = box.top - headerFoot - rowHeight * rows;
     if (!panel.heading.empty()) {
       put("set label {} at screen {},{} center noenhanced font ',18' textcolor rgb '#111111'", quoted(panel.heading),
           canvas_.x(0.5 * (box.left + box.right)), canvas_.y(heading));
@@ -411,13 +482,18 @@ class ScriptWriter {
     put("set palette maxcolors 24 defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')");
     put("set colorbox user origin screen {},{} size screen {},{}", canvas_.x(box.right + 12), canvas_.y(box.bottom),
         canvas_.x(14), fmt::format("{:.5f}", (box.bottom - box.top) / canvas_.height()));
-    putText(panel.field->label, box.right + colourScale, box.top - 16, "right");
+    if (const FixedRange& ends = panel.field->range) {
+      put("set cbrange [{:.10g}:{:.10g}]", ends->first, ends->second);
+    } else {
+      put("set cbrange [*:*]");
+    }
+    putText(panel.field->label, box.right + colourScale, box.top - headerFoot - 0.5 * rowHeight, "right");
   }
 
-  /// Numbers again when there are no names, since settings last from panel to panel.
-  void writeNames(char axis, const std::vector<std::string>& names) {
+  /// Names, or numbers at a distance; both anew for each panel, since settings last.
+  void writeTics(char axis, const std::vector<std::string>& names, double step) {
     if (names.empty()) {
-      put("set {0}tics autofreq norotate font ',17'", axis);
+      put("set {0}tics autofreq {1:.10g} norotate font ',17'", axis, step);
       return;
     }
     std::string list;
@@ -430,11 +506,25 @@ class ScriptWriter {
     put("set {}tics ({}) {} font ',13' noenhanced", axis, list, rotate ? "rotate by 50 right" : "norotate");
   }
 
+  /// Where the samples of a key with one name a row begin, one below the other; negative where rows stand for
+  /// themselves.
+  double keyColumn(const PanelPlan& plan) const {
+    double widest = 0;
+    for (const std::vector<Curve>& row : plan.key) {
+      if (row.size() > 1) return -1;
+      for (const Curve& curve : row) widest = std::max(widest, curve.widthInKey());
+    }
+    const double x = keyRight(plan) - widest;
+    const double label = plan.key.front().empty() ? 0.0 : widthOf(plan.panel->yLabel) + entryGap;
+    return x < plan.labelLeft + label ? -1 : x;
+  }
+
   /// One row of the key, flush right. Drawn by hand, because gnuplot gives all names the width of the longest.
-  void writeKeyRow(const std::vector<Curve>& row, double y, const Box& box) {
-    double x = keyRight(box) + entryGap;
+  void writeKeyRow(const std::vector<Curve>& row, double y, const PanelPlan& plan, double common) {
+    double x = keyRight(plan) + entryGap;
     for (const Curve& curve : row) x -= curve.widthInKey() + entryGap;
-    x = std::max(x, box.left - labelIndent);  // a name wider than the canvas shows its beginning
+    x = std::max(x, plan.labelLeft);  // a name wider than the canvas shows its beginning
+    if (common >= 0) x = common;
     for (const Curve& curve : row) {
       if (curve.asPoints) {
         put("set label '' at screen {},{} point ls {}", canvas_.x(x + 0.5 * sampleLength), canvas_.y(y),
@@ -483,7 +573,10 @@ class ScriptWriter {
   }
 
   /// The key ends with the plot; where equal axes made the plot narrow, with the panel.
-  double keyRight(const Box& box) const { return figure_.isSlide() ? box.right : plotRight; }
+  double keyRight(const PanelPlan& plan) const {
+    const double scale = plan.panel->field ? colourScale : 0.0;
+    return figure_.isSlide() ? plan.box.right + scale - besideKey(*plan.panel) : plotRight;
+  }
 
   static constexpr int mostStyles = 12;
   static constexpr int referenceStyle = 20;
