@@ -20,10 +20,10 @@ Figure energy_drift() {
   // What can swing: the energy above that of hanging at rest, k s^2 / 2 - m g (L0 + s) with s = m g / k.
   const double rest = -9.81 - 0.5 * 9.81 * 9.81 / 100.0;
 
-  Figure figure("energy_drift", "Energy drifts with Euler and Runge-Kutta, stays in a band when symplectic",
+  Figure figure("energy_drift", "Energy drifts with Euler and Runge-Kutta, stays in a band with symplectic methods",
                 "time [s]");
   figure.slide();
-  auto panel = figure.panel("energy error, of what can swing");
+  auto panel = figure.panel("largest energy error so far / energy of the swing");
   panel.logY();
   for (const std::string id : {"explicit_euler", "backward_euler", "runge_kutta_4", "velocity_verlet",
                                "implicit_midpoint", "discrete_gradient"}) {
@@ -39,7 +39,7 @@ Figure energy_drift() {
     }
     panel.line(engine::methodInfo(id).name, t, error);
   }
-  panel.yRange(1e-16, 1e3);
+  panel.xRange(0.0, 100.0).yRange(1e-16, 1e3);
   return figure;
 }
 

@@ -8,10 +8,11 @@ namespace muelle::plots {
 /// Slide "Receta para una Simulación", discretisation: the same oscillator, the same step, and what each method makes
 /// of its orbit in the phase plane.
 Figure oscillator_by_method() {
-  const double omega = 1.0, h = 0.15, periods = 4.0;
+  const double omega = 1.0, h = 0.12, periods = 2.0;
   const auto system = engine::build(oscillator(1.0, omega * omega, 1.0));
   Figure figure("oscillator_by_method",
-                "One oscillator, one step: Euler's orbits leave the circle, midpoint's does not", "position x [m]");
+                "One oscillator, one step: explicit Euler spirals out, backward Euler in, the rest stay",
+                "position x [m]");
   figure.slide(3);
   const std::vector<double> angle = linear(0.0, 2.0 * std::numbers::pi, 200);
   std::vector<double> cosine, sine;
@@ -26,10 +27,11 @@ Figure oscillator_by_method() {
     figure.panel("v [m/s]")
         .heading(engine::methodInfo(id).name)
         .reference("", cosine, sine)
-        .linePoints("", result.trajectory.position(0), result.trajectory.velocity(0))
+        .line("", result.trajectory.position(0), result.trajectory.velocity(0))
         .colour(colour++)
-        .xRange(-3.6, 3.6)
-        .yRange(-2.1, 2.1);
+        .xRange(-2.2, 2.2)
+        .yRange(-2.2, 2.2)
+        .equalAxes();
   }
   return figure;
 }

@@ -49,12 +49,12 @@ Figure stiffness_ratio() {
                 "stiffness ratio of the two springs");
   figure.slide(2);
   figure.panel("steps for 10 s")
-      .heading("what stability asks for")
+      .heading("what it costs")
       .linePoints("velocity Verlet", ratios, explicitSteps)
       .linePoints("implicit midpoint", ratios, implicitSteps)
       .logX()
       .logY();
-  figure.panel("position error [m]")
+  figure.panel("error at 10 s [m]")
       .heading("what comes out")
       .linePoints("velocity Verlet", ratios, explicitErrors)
       .linePoints("implicit midpoint", ratios, implicitErrors)
