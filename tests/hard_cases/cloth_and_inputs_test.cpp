@@ -3,6 +3,7 @@
 
 #include "engine/integrators/catalogue.h"
 #include "engine/integrators/position_based/methods.h"
+#include "engine/scene/mesh_file.h"
 #include "models.h"
 #include "references.h"
 #include "running.h"
@@ -152,6 +153,23 @@ TEST(H24BadInputs, StepsAndTimes) {
   }
   for (const double duration : {0.0, -1.0, nan, infinite}) {
     EXPECT_THROW(run(sound(), "velocity_verlet", fixedStep(0.01, duration)), std::invalid_argument) << duration;
+  }
+}
+
+TEST(H24BadInputs, AFileThatClaimsABillionNodesIsRefusedByItsHeader) {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 1000000000\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 0\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const bool off : {true, false}) {
+    try {
+      if (off)
+        engine::parseOff("OFF\n1000000000 1 0\n0 0 0\n", "huge");
+      else
+        engine::parsePly(ply, "huge");
+      ADD_FAILURE() << "accepted";
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("1000000000"), std::string::npos) << error.what();
+    }
   }
 }
 

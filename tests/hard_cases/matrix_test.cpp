@@ -3,6 +3,7 @@
 
 #include "matrix/matrix.h"
 #include "engine/integrators/catalogue.h"
+#include "harness/file.h"
 #include "references.h"
 
 #include <gtest/gtest.h>
@@ -97,6 +98,17 @@ TEST(HardCaseMatrix, QuickCasesHaveNoSurprises) {
     if (cell.outcome != Outcome::FailedAsPredicted) continue;
     EXPECT_FALSE(cell.prediction.text.empty()) << cell.method;
   }
+}
+
+TEST(HardCaseMatrix, PageOfTheDocumentationIsOfThisMatrix) {
+  const std::string page = readFile(MUELLE_HARD_CASES_PAGE);
+  for (const Variant& variant : allVariants()) {
+    EXPECT_NE(page.find("| " + variant.label() + " |"), std::string::npos) << variant.label();
+  }
+  for (const std::string& id : engine::methodIds()) EXPECT_NE(page.find("`" + id + "`"), std::string::npos) << id;
+  for (const PredictionRule& rule : predictionRules())
+    EXPECT_NE(page.find(rule.reason), std::string::npos) << rule.name;
+  EXPECT_NE(page.find("failed unexpectedly 0."), std::string::npos);
 }
 
 TEST(HardCaseMatrix, ReportsHoldEveryCell) {

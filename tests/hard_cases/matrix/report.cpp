@@ -158,7 +158,7 @@ std::string matrixPage(const Matrix& matrix) {
       "# Hard cases {#hard_cases}\n\n"
       "Twenty-four problems with known answers (`tests/hard_cases/cases.json`), and every method of the engine on "
       "each. "
-      "`muelle hard-cases` runs them and writes this page.\n\n"
+      "`./muelle hard-cases --out DIR` runs them and writes this page and its figure.\n\n"
       "![Every method on every case](hard_cases.svg)\n\n"
       "A cell shows the error in the case's own measure. Before it runs, the outcome is predicted from what the method "
       "says of itself and from the case's frequencies, dampings and sensitivity, by the rules below.\n\n"
@@ -211,6 +211,17 @@ std::string matrixPage(const Matrix& matrix) {
                         predictionRules()[static_cast<std::size_t>(cell.prediction.rule)].name,
                         inTable(cell.prediction.text));
   }
+  page +=
+      "\n## Better than predicted\n\nPassed, though the rules expected a failure: they ask what a step could do at its "
+      "worst.\n\n"
+      "| case | method | error | foreseen | prediction |\n|---|---|---|---|---|\n";
+  for (const Cell& cell : matrix.cells) {
+    if (cell.outcome != Outcome::Passed || cell.prediction.expectation != Expectation::Fails) continue;
+    page += fmt::format("| {} | {} | {} | {} | {}: {} |\n", matrix.variants[cell.variant].label(),
+                        shortName(cell.method), number(cell.error), number(cell.prediction.error),
+                        predictionRules()[static_cast<std::size_t>(cell.prediction.rule)].name,
+                        inTable(cell.prediction.text));
+  }
   page += "\n## Not applicable\n\n| case | method | missing |\n|---|---|---|\n";
   for (const Cell& cell : matrix.cells) {
     if (cell.outcome != Outcome::NotApplicable) continue;
@@ -221,7 +232,7 @@ std::string matrixPage(const Matrix& matrix) {
 }
 
 Figure matrixFigure(const Matrix& matrix) {
-  Figure figure("hard_cases", "Every method on every hard case: what it reaches, and where it fails as predicted", "");
+  Figure figure("hard_cases", "Methods fail where it was predicted (numbers: power of ten of the error)", "");
   figure.slide();
   struct Category {
     const char* name;
@@ -250,7 +261,7 @@ Figure matrixFigure(const Matrix& matrix) {
       category.x.push_back(x);
       category.y.push_back(y);
       const std::string power = !std::isfinite(cell.error) ? "stop"
-                                : cell.error == 0.0        ? "0"
+                                : cell.error == 0.0        ? "exact"
                                                            : fmt::format("{:.0f}", std::floor(std::log10(cell.error)));
       panel.note(x, y, power, true);
     }

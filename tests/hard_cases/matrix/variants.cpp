@@ -48,7 +48,7 @@ Variant h02(int d) {
 }
 
 Variant h03() {
-  Variant v{.id = "H03", .name = "omega h = 1.99", .measured = "amplitude after 1000 steps [m]"};
+  Variant v{.id = "H03", .name = "1.99", .measured = "amplitude after 1000 steps [m]"};
   v.model = oscillator(1e4);
   v.duration = 19.9;
   v.bar = 25.0;
@@ -328,7 +328,7 @@ Variant h19() {
 }
 
 Variant h20() {
-  Variant v{.id = "H20", .name = "26.5 degrees", .measured = "distance slid in 10 s [m]", .model = incline(26.5, 0.0)};
+  Variant v{.id = "H20", .name = "26.5", .measured = "distance slid in 10 s [m]", .model = incline(26.5, 0.0)};
   v.duration = 10.0;
   v.bar = 1e-6;
   v.steps = {2e-4, 2e-4, 2e-4, 1e-3, 1e-9};
