@@ -25,11 +25,11 @@ constexpr double footHeight = 72;  // numbers and label of the x axis
 constexpr double singleHeight = 386;
 constexpr double stackedHeight = 196;
 constexpr double equalHeight = 500;
-constexpr double slideHeight = 540;  // 16 : 9
-constexpr double slideFoot = 66;     // numbers and label of an x axis
-constexpr double numbersFoot = 40;   // numbers alone
-constexpr double slideIndent = 24;   // the y label begins so far right of its column's beginning
-constexpr double rowPitch = 40;      // between numbers on a y axis, at least
+constexpr double slideHeight = 540;       // 16 : 9
+constexpr double slideFoot = 66;          // numbers and label of an x axis
+constexpr double numbersFoot = 40;        // numbers alone
+constexpr double slideIndent = 24;        // the y label begins so far right of its column's beginning
+constexpr double headingCharacter = 9.8;  // width in a heading of 18 px
 constexpr double headingHeight = 26;
 constexpr double columnGap = 26;
 constexpr double colourScale = 92;           // room for a field's colour scale, its numbers and its label
@@ -121,6 +121,8 @@ struct PanelPlan {
   double labelLeft = 0;             ///< where the y label begins
   bool hasXLabel = true;            ///< of a slide's panel: no when the one below has the same
   bool headingBesideLabel = false;  ///< both in one row
+  double header = 0;                ///< height of what stands above a slide's plots, the highest of its row
+  double columnLeft = 0;            ///< of a slide
 };
 
 bool anyPoints(const Panel& panel) {
@@ -128,10 +130,13 @@ bool anyPoints(const Panel& panel) {
                      [](const Series& s) { return s.pen != Pen::Line && s.pen != Pen::Reference; });
 }
 
+/// Distance of the numbers on the y axis of a slide: not too close, nor too many.
+double yTicStep(const AxisRange& range, double height) { return ticStep(range, height, std::max(28.0, height / 9)); }
+
 /// Room left of a slide's plot, for the numbers or names of the y axis. \param height of the plot, about
 double leftMarginOf(const Panel& panel, const AxisRange& y, double height) {
   if (panel.yNames.empty()) {
-    const double widest = panel.logY ? 5.0 : static_cast<double>(widestNumber(y, ticStep(y, height, rowPitch)));
+    const double widest = panel.logY ? 5.0 : static_cast<double>(widestNumber(y, yTicStep(y, height)));
     return std::clamp(34 + characterWidth * widest, 64.0, plotLeft);
   }
   double widest = 0;
@@ -314,6 +319,11 @@ class ScriptWriter {
       const double plotTop = top + headers[i / columns];
       plans_[i].box = {left + plans_[i].leftMargin, right, plotTop, plotTop + plotHeight};
       if (figure_.hasEqualAxes() || plans_[i].panel->equalAxes) equaliseAxes(plans_[i], 0);
+      // What equal axes have made lower keeps its heading near.
+      plans_[i].header = plans_[i].box.top > plotTop + 1 ? headerOf(plans_[i]) : headers[i / columns];
+      plans_[i].columnLeft = left;
+      // Where the neighbours need two lines, so has this one.
+      if (plans_[i].header > headerOf(plans_[i])) plans_[i].headingBesideLabel = false;
       placeLabel(plans_[i]);
       if (i % columns + 1 == columns) top = plotTop + plotHeight + feet[i / columns];
     }
@@ -328,7 +338,9 @@ class ScriptWriter {
     return middle - 0.5 * headingWidth(panel) > slideIndent + widthOf(panel.yLabel) + 10;
   }
 
-  static double headingWidth(const Panel& panel) { return widthOf(panel.heading) * 18 / 17; }
+  static double headingWidth(const Panel& panel) {
+    return headingCharacter * static_cast<double>(panel.heading.size());
+  }
 
   /// Over the numbers of the y axis, further left where the heading would touch it.
   static void placeLabel(PanelPlan& plan) {
@@ -466,16 +478,13 @@ class ScriptWriter {
     const Box& box = plan.box;
     const double width = box.right - box.left, height = box.bottom - box.top;
     writeTics('x', panel.xNames, logX(panel) ? logTicFactor(plan.x, width, 56) : xTicStep(plan.x, width));
-    writeTics('y', panel.yNames, panel.logY ? logTicFactor(plan.y, height, 32) : ticStep(plan.y, height, rowPitch));
-    const double rows = static_cast<double>(plan.key.size()) + (plan.headingBesideLabel ? -0.5 : 0.5);
-    const double heading = box.top - headerFoot - rowHeight * rows;
-    if (!panel.heading.empty()) {
-      put("set label {} at screen {},{} center noenhanced font ',18' textcolor rgb '#111111'", quoted(panel.heading),
-          canvas_.x(0.5 * (box.left + box.right)), canvas_.y(heading));
-    }
+    writeTics('y', panel.yNames, panel.logY ? logTicFactor(plan.y, height, 32) : yTicStep(plan.y, height));
+    if (!panel.heading.empty()) writeHeading(plan);
     for (const Note& note : panel.notes) {
-      put("set label {} at {:.10g},{:.10g} {} front noenhanced font ',{}' textcolor rgb '#111111'", quoted(note.text),
-          note.x, note.y, note.centred ? "center" : "left offset character 0.7,0", panel.xNames.empty() ? 16 : 10);
+      // A field is dark almost everywhere.
+      put("set label {} at {:.10g},{:.10g} {} front noenhanced font ',{}' textcolor rgb '{}'", quoted(note.text),
+          note.x, note.y, note.centred ? "center" : "left offset character 0.7,0", panel.xNames.empty() ? 16 : 10,
+          panel.field ? "#ffffff" : "#111111");
     }
     if (!panel.field) return;
     // Viridis: seen by the colour-blind, and still ordered in grey.
@@ -488,6 +497,17 @@ class ScriptWriter {
       put("set cbrange [*:*]");
     }
     putText(panel.field->label, box.right + colourScale, box.top - headerFoot - 0.5 * rowHeight, "right");
+  }
+
+  /// Over the plot, on one line with the others of its row; moved aside and made smaller to stay in its column.
+  void writeHeading(const PanelPlan& plan) {
+    const double width = headingWidth(*plan.panel);
+    const double size = std::clamp(18 * columnWidth() / width, 11.0, 18.0);
+    const double half = 0.5 * std::min(width * size / 18, columnWidth() - 1);
+    const double middle = std::clamp(0.5 * (plan.box.left + plan.box.right), plan.columnLeft + half,
+                                     plan.columnLeft + columnWidth() - half);
+    put("set label {} at screen {},{} center noenhanced font ',{:.1f}' textcolor rgb '#111111'",
+        quoted(plan.panel->heading), canvas_.x(middle), canvas_.y(plan.box.top - plan.header + 0.5 * rowHeight), size);
   }
 
   /// Names, or numbers at a distance; both anew for each panel, since settings last.
