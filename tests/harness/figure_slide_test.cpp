@@ -6,9 +6,7 @@
 
 #include <gtest/gtest.h>
 #include <cmath>
-#include <functional>
 #include <regex>
-#include <sstream>
 
 namespace muelle {
 namespace {
