@@ -1,0 +1,71 @@
+#include "drawing.h"
+#include "tools.h"
+
+#include <fmt/format.h>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <numbers>
+
+namespace muelle::plots {
+
+namespace {
+
+/// A base held in the plane, and a tip turned over through it (hard case H15; in 3D its tetrahedron, whose base lies
+/// in the plane of x and y). `stiffness` is that of the signed area or volume.
+engine::Model turnedOver(int dimension, double stiffness) {
+  engine::Model model;
+  model.dimension = dimension;
+  for (int i = 0; i < dimension; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / dimension;
+    model.nodes.push_back({.x = 0.75 * Vec3(-std::cos(angle), -std::sin(angle), 0.0), .pinned = true});
+    model.springs.push_back({.a = i, .b = dimension, .k = 10.0, .L0 = 1.25});
+  }
+  if (dimension == 2) model.nodes[0].x.y() = model.nodes[1].x.y() = 0.0;
+  model.nodes.push_back({.x = Vec3(0.0, 0.0, -1.0), .drag = 1.0});
+  const Vec3 a = model.nodes[0].x, b = model.nodes[1].x;
+  if (dimension == 2) model.areas.push_back({.a = 0, .b = 1, .c = 2, .k = stiffness, .A0 = 0.5 * (b - a).norm()});
+  if (dimension == 3) {
+    const double V0 = (b - a).cross(model.nodes[2].x - a).norm() / 6.0;
+    model.volumes.push_back({.a = 0, .b = 1, .c = 2, .d = 3, .k = stiffness, .V0 = V0});
+  }
+  return model;
+}
+
+void addPanels(Figure& figure, int dimension, const std::vector<double>& stiffnesses, const std::string& unit) {
+  const std::string what = dimension == 2 ? "triangle, signed area" : "tetrahedron, signed volume";
+  auto landscape = figure.panel("energy [J]");
+  landscape.heading(what).xLabel("height of the tip [m]");
+  auto path = figure.panel("height of the tip [m]");
+  path.heading(what + ": turned over, let go").xLabel("time [s]");
+  const std::vector<double> heights = linear(-1.5, 1.5, 301);
+  for (const double k : stiffnesses) {
+    const auto system = engine::build(turnedOver(dimension, k));
+    State state = system->initialState();
+    std::vector<double> energy;
+    for (const double z : heights) {
+      moveTo(*system, state, dimension, Vec3(0.0, 0.0, z));
+      energy.push_back(system->totalEnergy(state));
+    }
+    const std::string name = k > 0.0 ? fmt::format("k = {} {}", k, unit) : "springs alone";
+    landscape.line(name, heights, energy);
+    const Trajectory trajectory = run(*system, "runge_kutta_4", 0.005, 8.0).trajectory;
+    path.line("", trajectory.t,
+              along(trajectory, [&](const State& at) { return system->position(at, dimension).z(); }));
+  }
+  landscape.yRange(0, 8);
+  path.yRange(-1.6, 1.6).reference("at rest", {0, 8}, {1, 1});
+}
+
+}  // namespace
+
+/// Slide "Aplicaciones", generalised springs: lengths do not know inside from outside, a signed area or volume does.
+Figure area_volume_springs() {
+  Figure figure("area_volume_springs", "Springs are content inside out; a signed area or volume turns them back",
+                "height [m]");
+  figure.slide(2);
+  addPanels(figure, 2, {0.0, 3.0, 10.0}, "N/m^3");
+  addPanels(figure, 3, {0.0, 20.0, 100.0}, "N/m^5");
+  return figure;
+}
+
+}  // namespace muelle::plots

@@ -1,0 +1,112 @@
+#include "engine/statics/equilibrium.h"
+#include "tools.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+namespace muelle::plots {
+
+namespace {
+
+/// A house of soft springs just above the ground, 1 kg a node and 2 kg the top one.
+engine::Model house() {
+  engine::Model model;
+  model.dimension = 2;
+  model.renumber = false;  // the parts below share the unknowns
+  model.gravity = {0.0, 0.0, -9.81};
+  for (const auto& [x, z] : {std::pair(-0.5, 0.0), {0.5, 0.0}, {0.5, 0.9}, {-0.5, 0.9}, {0.0, 1.4}}) {
+    model.nodes.push_back({.x = {x, 0.0, z}});
+  }
+  model.nodes.back().m = 2.0;
+  for (const auto& [a, b] : {std::pair(0, 1), {1, 2}, {2, 3}, {3, 0}, {0, 2}, {1, 3}, {2, 4}, {3, 4}}) {
+    const double length =
+        (model.nodes[static_cast<std::size_t>(a)].x - model.nodes[static_cast<std::size_t>(b)].x).norm();
+    model.springs.push_back({.a = a, .b = b, .k = 120.0, .L0 = length});
+  }
+  engine::Obstacle ground;
+  ground.material.k = 1000.0;
+  model.obstacles.push_back(ground);
+  return model;
+}
+
+/// The model with a single kind of force left: gravity, the ground, or one spring.
+engine::Model onlyGravity(engine::Model model) {
+  model.springs.clear();
+  model.obstacles.clear();
+  return model;
+}
+engine::Model onlyGround(engine::Model model) {
+  model.springs.clear();
+  model.gravity = Vec3::Zero();
+  return model;
+}
+engine::Model onlySpring(engine::Model model, std::size_t j) {
+  model.springs = {model.springs[j]};
+  model.obstacles.clear();
+  model.gravity = Vec3::Zero();
+  return model;
+}
+
+/// Arrows of forces [N]: where they act, how far they reach.
+struct Arrows {
+  std::vector<double> x, y, dx, dy;
+  void add(double atX, double atY, double forceX, double forceY, double scale) {
+    if (std::max(std::abs(forceX), std::abs(forceY)) < 1e-9) return;
+    x.push_back(atX);
+    y.push_back(atY);
+    dx.push_back(scale * forceX);
+    dy.push_back(scale * forceY);
+  }
+};
+
+std::vector<double> forces(const engine::Model& part, const State& rest) {
+  const auto system = engine::build(part);
+  State state = system->initialState();
+  std::vector<double> f(rest.x.size());
+  system->force(0.0, rest.x, rest.v, state.z, f);
+  return f;
+}
+
+}  // namespace
+
+/// Slide "Contacto Externo", question 2: what is deformed and does not move has forces that sum to 0 at every node.
+Figure equilibrium_forces() {
+  const engine::Model model = house();
+  const auto system = engine::build(model);
+  const engine::StaticResult rest = engine::equilibrium(*system, system->initialState());
+  const auto& x = rest.state.x;
+
+  Figure figure("equilibrium_forces", "Deformed, but it does not move: the forces sum to 0 at every node", "x [m]");
+  figure.slide(2);
+  auto whole = figure.panel("height [m]");
+  whole.heading("forces on each node").equalAxes();
+  for (const auto& spring : model.springs) {
+    const auto a = static_cast<std::size_t>(spring.a), b = static_cast<std::size_t>(spring.b);
+    whole.reference("", {x[2 * a], x[2 * b]}, {x[2 * a + 1], x[2 * b + 1]});
+  }
+  auto polygon = figure.panel("vertical [N]");
+  polygon.heading("left foot: the arrows close").xLabel("horizontal [N]").equalAxes();
+
+  double penX = 0.0, penY = 0.0;
+  const auto draw = [&](const std::string& name, const std::vector<engine::Model>& parts, int colour) {
+    Arrows onNodes, chain;
+    for (const engine::Model& part : parts) {
+      const std::vector<double> f = forces(part, rest.state);
+      for (std::size_t i = 0; i < x.size(); i += 2) onNodes.add(x[i], x[i + 1], f[i], f[i + 1], 0.012);
+      chain.add(penX, penY, f[0], f[1], 1.0);
+      penX += f[0];
+      penY += f[1];
+    }
+    whole.arrows(name, onNodes.x, onNodes.y, onNodes.dx, onNodes.dy).colour(colour);
+    polygon.arrows("", chain.x, chain.y, chain.dx, chain.dy).colour(colour);
+  };
+  std::vector<engine::Model> springs;
+  for (std::size_t j = 0; j < model.springs.size(); ++j) springs.push_back(onlySpring(model, j));
+  draw("gravity", {onlyGravity(model)}, 2);
+  draw("springs", springs, 0);
+  draw("contact", {onlyGround(model)}, 1);
+  polygon.note(-10.0, 10.0, fmt::format("largest sum at a node: {:.0e} N", rest.residual));
+  return figure;
+}
+
+}  // namespace muelle::plots

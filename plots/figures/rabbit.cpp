@@ -1,0 +1,54 @@
+#include "engine/scene/run_scene.h"
+#include "harness/build_paths.h"
+#include "tools.h"
+
+#include <Eigen/Geometry>
+#include <limits>
+
+namespace muelle::plots {
+
+namespace {
+
+/// Edges of the surface that the viewer sees, from the side (along +y), with gaps between the triangles.
+void addSide(Figure::PanelBuilder& panel, const engine::ModelSystem& system, const engine::Part& part,
+             const State& state) {
+  const double gap = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> x, z;
+  for (const engine::Triangle& triangle : part.triangles) {
+    const Vec3 a = system.position(state, triangle[0]), b = system.position(state, triangle[1]),
+               c = system.position(state, triangle[2]);
+    if ((b - a).cross(c - a).y() > 0.0) continue;
+    for (const Vec3& corner : {a, b, c, a}) {
+      x.push_back(corner.x());
+      z.push_back(corner.z());
+    }
+    x.push_back(gap);
+    z.push_back(gap);
+  }
+  panel.line("", std::move(x), std::move(z));
+}
+
+}  // namespace
+
+/// Slide "Contacto Externo": the lecture's rabbit, squeezed between two planes until it no longer moves.
+Figure rabbit() {
+  const engine::Scene scene =
+      engine::readScene(std::filesystem::path(build_paths::source) / "framework/engine/scenes/rabbit_squeezed.toml");
+  const auto system = engine::build(scene.model);
+  const engine::Obstacle& plate = scene.model.obstacles.at(1);
+  const engine::RunResult result = run(*system, scene.method, *scene.step, 1.0, 1.0);
+
+  Figure figure("rabbit", "The rabbit is deformed but no longer moves: forces of springs, weight and planes balance",
+                "x [m]");
+  figure.slide(2);
+  for (const auto& [state, name] : {std::pair(system->initialState(), "before"), std::pair(result.last, "squeezed")}) {
+    auto panel = figure.panel("height [m]");
+    panel.heading(name).equalAxes().yRange(-0.01, 0.2).xRange(-0.12, 0.12);
+    addSide(panel, *system, scene.parts.front(), state);
+    const double height = plate.centre.z() + plate.velocity.z() * std::min(state.t, plate.stopTime);
+    panel.reference("", {-0.12, 0.12}, {height, height}).reference("", {-0.12, 0.12}, {0.0, 0.0});
+  }
+  return figure;
+}
+
+}  // namespace muelle::plots

@@ -1,0 +1,67 @@
+#include "drawing.h"
+#include "tools.h"
+
+#include <fmt/format.h>
+
+namespace muelle::plots {
+
+namespace {
+
+/// Nodes at these places, all springs 0.8 m at rest; only the springs named act.
+std::unique_ptr<engine::ModelSystem> triangle(const std::vector<int>& acting) {
+  engine::Model model;
+  model.dimension = 2;
+  model.nodes.resize(3);
+  model.nodes[1].x = Vec3(1.6, 0.0, 0.1);
+  model.nodes[2].x = Vec3(0.55, 0.0, 1.2);
+  for (const int i : acting) model.springs.push_back({.a = i, .b = (i + 1) % 3, .k = 50.0, .L0 = 0.8});
+  return engine::build(model);
+}
+
+}  // namespace
+
+/// Slide "Formulación Multidimensional", exercise: the elastic force of a triangle of three nodes and three springs.
+Figure triangle_forces() {
+  const double metresPerNewton = 0.012;
+  const int springColours[] = {0, 2, 3};
+  Figure figure("triangle_forces", "A stretched triangle: two forces on each node, and their sums add up to zero",
+                "x [m]");
+  figure.slide(2);
+  auto plane = figure.panel("z [m]");
+  plane.heading("forces on the nodes");
+  for (const int i : {0, 1, 2}) {
+    const auto alone = triangle({i});
+    const State state = alone->initialState();
+    const Segments line = springsOf(*alone, state);
+    plane.line(fmt::format("spring {}{}", i, (i + 1) % 3), line.x, line.y).colour(springColours[i]);
+    Arrows pair;
+    for (const int node : {i, (i + 1) % 3}) {
+      pair.add(alone->position(state, node), metresPerNewton * forceOn(*alone, state, node));
+    }
+    pair.addTo(plane, "", springColours[i]);
+  }
+  const auto whole = triangle({0, 1, 2});
+  const State state = whole->initialState();
+  Arrows sums, chain;
+  Vec3 tip = Vec3::Zero();
+  for (const int node : {0, 1, 2}) {
+    const Vec3 sum = forceOn(*whole, state, node);
+    sums.add(whole->position(state, node), metresPerNewton * sum);
+    chain.add(tip, sum);
+    tip += sum;
+  }
+  sums.addTo(plane, "sum", 1);
+  plane.equalAxes().xRange(-0.3, 1.9).yRange(-0.3, 1.5);
+  plane.note(-0.2, -0.1, "node 0").note(1.55, -0.05, "node 1").note(0.45, 1.32, "node 2");
+
+  auto sum = figure.panel("F_z [N]");
+  sum.heading("the sums, tip to tail: they close").xLabel("F_x [N]");
+  chain.addTo(sum, "sum of the forces on a node", 1);
+  for (std::size_t i = 0; i < 3; ++i) {
+    sum.note(chain.x[i] + 0.5 * chain.dx[i], chain.y[i] + 0.5 * chain.dy[i], fmt::format("on node {}", i), true);
+  }
+  sum.equalAxes();
+  return figure;
+}
+
+}  // namespace muelle::plots
