@@ -63,7 +63,7 @@ std::string methodsPage() {
       "# The methods {#methods}\n\n"
       "Made from `MethodInfo` of each method (`build/bin/muelle-methods-page docs/methods.md`), which also gives the\n"
       "predictions of the hard cases.\n"
-      "Limits are of the step: `h omega` for an undamped oscillator, `h lambda` for x' = -lambda x.\n\n"
+      "Limits are of the step: `h omega` for an undamped oscillator, `h lambda` for v' = -lambda v.\n\n"
       "| method | order | force evaluations a step | limit of h omega | limit of h lambda | conserves | character |\n"
       "|---|---|---|---|---|---|---|\n";
   for (const std::string& id : methodIds()) {
