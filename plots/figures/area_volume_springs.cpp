@@ -21,7 +21,7 @@ engine::Model turnedOver(int dimension, double stiffness) {
     model.springs.push_back({.a = i, .b = dimension, .k = 10.0, .L0 = 1.25});
   }
   if (dimension == 2) model.nodes[0].x.y() = model.nodes[1].x.y() = 0.0;
-  model.nodes.push_back({.x = Vec3(0.0, 0.0, -1.0), .drag = 1.0});
+  model.nodes.push_back({.x = Vec3(0.0, 0.0, -1.0), .m = 1.0});
   const Vec3 a = model.nodes[0].x, b = model.nodes[1].x;
   if (dimension == 2) model.areas.push_back({.a = 0, .b = 1, .c = 2, .k = stiffness, .A0 = 0.5 * (b - a).norm()});
   if (dimension == 3) {
@@ -31,12 +31,10 @@ engine::Model turnedOver(int dimension, double stiffness) {
   return model;
 }
 
-void addPanels(Figure& figure, int dimension, const std::vector<double>& stiffnesses, const std::string& unit) {
-  const std::string what = dimension == 2 ? "triangle, signed area" : "tetrahedron, signed volume";
+void addPanel(Figure& figure, int dimension, const std::vector<double>& stiffnesses) {
   auto landscape = figure.panel("energy [J]");
-  landscape.heading(what).xLabel("height of the tip [m]");
-  auto path = figure.panel("height of the tip [m]");
-  path.heading(what + ": turned over, let go").xLabel("time [s]");
+  landscape.heading(dimension == 2 ? "triangle with a signed area, k in N/m^3"
+                                   : "tetrahedron, signed volume, k in N/m^5");
   const std::vector<double> heights = linear(-1.5, 1.5, 301);
   for (const double k : stiffnesses) {
     const auto system = engine::build(turnedOver(dimension, k));
@@ -46,14 +44,9 @@ void addPanels(Figure& figure, int dimension, const std::vector<double>& stiffne
       moveTo(*system, state, dimension, Vec3(0.0, 0.0, z));
       energy.push_back(system->totalEnergy(state));
     }
-    const std::string name = k > 0.0 ? fmt::format("k = {} {}", k, unit) : "springs alone";
-    landscape.line(name, heights, energy);
-    const Trajectory trajectory = run(*system, "runge_kutta_4", 0.005, 8.0).trajectory;
-    path.line("", trajectory.t,
-              along(trajectory, [&](const State& at) { return system->position(at, dimension).z(); }));
+    landscape.line(k > 0.0 ? fmt::format("k = {}", k) : "springs alone", heights, energy);
   }
-  landscape.yRange(0, 8);
-  path.yRange(-1.6, 1.6).reference("at rest", {0, 8}, {1, 1});
+  landscape.yRange(0, 8).note(-1.4, 7.4, "inside out").note(0.75, 7.4, "upright");
 }
 
 }  // namespace
@@ -61,10 +54,10 @@ void addPanels(Figure& figure, int dimension, const std::vector<double>& stiffne
 /// Slide "Aplicaciones", generalised springs: lengths do not know inside from outside, a signed area or volume does.
 Figure area_volume_springs() {
   Figure figure("area_volume_springs", "Springs are content inside out; a signed area or volume turns them back",
-                "height [m]");
+                "height of the tip over its base [m]");
   figure.slide(2);
-  addPanels(figure, 2, {0.0, 3.0, 10.0}, "N/m^3");
-  addPanels(figure, 3, {0.0, 20.0, 100.0}, "N/m^5");
+  addPanel(figure, 2, {0.0, 3.0, 10.0});
+  addPanel(figure, 3, {0.0, 20.0, 100.0});
   return figure;
 }
 

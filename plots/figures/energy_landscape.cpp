@@ -50,14 +50,14 @@ Figure energy_landscape() {
       .line("", ringX, ringZ)
       .colour(1)
       .equalAxes()
-      .note(0.0, 1.15, "E = 0 where L = L0", true);
+      .note(0.0, 1.35, "E = 0 where L = L0", true);
   figure.panel("E [J]")
       .heading("two cuts")
       .line("z_a = 0", x, through)
       .line("z_a = 0.7 m", x, beside)
       .reference("rest length", {-1, -1}, {0, 60})
       .reference("", {1, 1}, {0, 60})
-      .note(0.0, 54, "the top is sharp: no direction at L = 0", true)
+      .note(0.0, 54, "sharp: no direction", true)
       .yRange(0, 60);
   return figure;
 }

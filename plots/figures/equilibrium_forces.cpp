@@ -85,7 +85,9 @@ Figure equilibrium_forces() {
     whole.reference("", {x[2 * a], x[2 * b]}, {x[2 * a + 1], x[2 * b + 1]});
   }
   auto polygon = figure.panel("vertical [N]");
-  polygon.heading("left foot: the arrows close").xLabel("horizontal [N]").equalAxes();
+  polygon.heading(fmt::format("left foot: the arrows close to {:.0e} N", rest.residual))
+      .xLabel("horizontal [N]")
+      .equalAxes();
 
   double penX = 0.0, penY = 0.0;
   const auto draw = [&](const std::string& name, const std::vector<engine::Model>& parts, int colour) {
@@ -105,7 +107,6 @@ Figure equilibrium_forces() {
   draw("gravity", {onlyGravity(model)}, 2);
   draw("springs", springs, 0);
   draw("contact", {onlyGround(model)}, 1);
-  polygon.note(-10.0, 10.0, fmt::format("largest sum at a node: {:.0e} N", rest.residual));
   return figure;
 }
 

@@ -91,7 +91,7 @@ Figure hanging_chain() {
 
   auto distances = figure.panel("distance from the catenary [m]");
   distances.heading("stretch first, then the number of springs").xLabel("k of the whole chain [N/m]");
-  const std::vector<double> k = logarithmic(10.0, 1e7, 25);
+  const std::vector<double> k = logarithmic(10.0, 1e5, 17);
   double residual = 0.0;
   for (const int n : {10, 40, 160}) {
     std::vector<double> distance;
@@ -102,7 +102,7 @@ Figure hanging_chain() {
     }
     distances.line(fmt::format("{} springs", n), k, distance);
   }
-  distances.logX().logY().yRange(1e-6, 1).note(12, 2e-6, fmt::format("largest sum of forces: {:.0e} N", residual));
+  distances.logX().logY().yRange(1e-6, 1).note(12, 3e-6, fmt::format("largest sum of forces: {:.0e} N", residual));
   return figure;
 }
 

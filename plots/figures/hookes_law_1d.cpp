@@ -37,10 +37,10 @@ Figure hookes_law_1d() {
       .line("k = 50 N/m", x, forces(50, L0, x))
       .line("k = 100 N/m", x, forces(100, L0, x))
       .line("k = 200 N/m", x, forces(200, L0, x))
-      .reference("no force", {0.0, 2.0}, {0.0, 0.0})
-      .note(1.02, 60, "at the rest length L0 = 1 m")
-      .note(0.25, 155, "compressed: pushed out")
-      .note(1.35, -150, "stretched: pulled back");
+      .reference("", {0.0, 2.0}, {0.0, 0.0})
+      .note(1.04, 40, "no force at the rest length L0 = 1 m")
+      .note(0.3, 175, "compressed: pushed out")
+      .note(1.2, -170, "stretched: pulled back");
   return figure;
 }
 

@@ -49,11 +49,11 @@ Figure hookes_law_3d() {
     circleX.push_back(onCircle(L0, angle).x());
     circleZ.push_back(onCircle(L0, angle).z());
   }
-  auto plane = figure.panel("z_a [m]");
+  auto plane = figure.panel("z_a");
   plane.heading("force on node a, node b in the origin");
   plane.reference("L = L0", circleX, circleZ).points("", {0.0}, {0.0}).colour(3).note(0.0, 0.0, "b");
-  pushed.addTo(plane, "too short", 0);
-  pulled.addTo(plane, "too long", 1);
+  pushed.addTo(plane, "short", 0);
+  pulled.addTo(plane, "long", 1);
   plane.points("no force", restX, restZ).colour(2).equalAxes().xRange(-1.8, 1.8).yRange(-1.8, 1.8);
 
   const std::vector<double> L = linear(0.1, 2.0, 20);
@@ -70,11 +70,11 @@ Figure hookes_law_3d() {
       along.push_back(forceAt(L[i] * n).dot(n));
     std::vector<double> lengths;
     for (std::size_t i = static_cast<std::size_t>(colour); i < L.size(); i += 3) lengths.push_back(L[i]);
-    const char* names[] = {"along x", "along z", "along (1, 1, 1)"};
+    const char* names[] = {"along x", "along z", "(1, 1, 1)"};
     size.points(names[colour], lengths, along).colour(colour);
     ++colour;
   }
-  size.note(0.35, 85, "pushed out").note(1.3, -85, "pulled back");
+  size.note(0.45, 85, "pushed out").note(1.05, -85, "pulled back");
   return figure;
 }
 

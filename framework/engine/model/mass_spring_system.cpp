@@ -350,7 +350,9 @@ double MassSpringSystem::kineticEnergy(const State& state) const {
 }
 
 double MassSpringSystem::totalEnergy(const State& state) const {
-  return kineticEnergy(state) + energy(state.t, state.x, state.z);
+  // A recorded state has lost its z: with zeros the modes are live, as the positions say.
+  const std::vector<double> live(state.z.empty() ? static_cast<std::size_t>(internalSize_) : 0, 0.0);
+  return kineticEnergy(state) + energy(state.t, state.x, state.z.empty() ? live : state.z);
 }
 
 Vec3 MassSpringSystem::momentum(const State& state) const {

@@ -24,7 +24,7 @@ class ModelSystem : public System {
   virtual const Model& model() const = 0;
 
   virtual double kineticEnergy(const State& state) const = 0;  ///< [J]
-  virtual double totalEnergy(const State& state) const = 0;    ///< kinetic and potential [J]
+  virtual double totalEnergy(const State& state) const = 0;    ///< kinetic and potential [J]; z may be empty
   /// Of the free nodes [kg m/s], [kg m^2/s] about the origin (3D; in 2D about the axis across the plane).
   virtual Vec3 momentum(const State& state) const = 0;
   virtual Vec3 angularMomentum(const State& state) const = 0;
