@@ -46,7 +46,7 @@ Figure damping_rotating_pair() {
                along(trajectory, [&](const State& s) { return system->position(s, 0).y(); }));
   }
   turning.yRange(0.0, 3.6);
-  turning.note(1.2, 2.0, "node and relative: the same decay");
+  turning.note(1.35, 2.7, "node and relative: the same decay");
   return figure;
 }
 

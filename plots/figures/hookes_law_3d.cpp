@@ -54,7 +54,7 @@ Figure hookes_law_3d() {
   plane.reference("L = L0", circleX, circleZ).points("", {0.0}, {0.0}).colour(3).note(0.0, 0.0, "b");
   pushed.addTo(plane, "short", 0);
   pulled.addTo(plane, "long", 1);
-  plane.points("no force", restX, restZ).colour(2).equalAxes().xRange(-1.8, 1.8).yRange(-1.8, 1.8);
+  plane.points("", restX, restZ).colour(2).equalAxes().xRange(-1.8, 1.8).yRange(-1.8, 1.8);
 
   const std::vector<double> L = linear(0.1, 2.0, 20);
   std::vector<double> law;

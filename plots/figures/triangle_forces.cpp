@@ -58,7 +58,7 @@ Figure triangle_forces() {
   sum.heading("the sums, tip to tail: they close").xLabel("F_x [N]");
   chain.addTo(sum, "sum of the forces on a node", 1);
   for (std::size_t i = 0; i < 3; ++i) {
-    sum.note(chain.x[i] + 0.5 * chain.dx[i] + (i == 2 ? -8.0 : 6.0),
+    sum.note(chain.x[i] + 0.5 * chain.dx[i] + (i == 2 ? 10.0 : 6.0),
              chain.y[i] + 0.5 * chain.dy[i] + (i == 0 ? -5.0 : 5.0), fmt::format("on node {}", i), true);
   }
   sum.equalAxes();

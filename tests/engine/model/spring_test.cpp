@@ -174,11 +174,10 @@ TEST(Crossing, TheForceIsSmoothThroughZeroLengthUntilTheEvent) {
     s.x[0] = 1e-14;  // located, but for rounding
     switching.cross(0, s);
     EXPECT_NEAR(forceOf(*system, s)[0], -100.0 * 0.5, 1e-9) << "and the other way after the event";
-    const double after = guard();
     EXPECT_FALSE(switching.commit(s, true)) << "which a commit leaves alone";
     s.x[0] = -0.1;
     EXPECT_NEAR(forceOf(*system, s)[0], 100.0 * (0.1 - 0.5), 1e-12);
-    EXPECT_EQ(std::signbit(guard()), std::signbit(after)) << "no second event";
+    EXPECT_GT(guard(), 0.0) << "on its own side from then on";
     EXPECT_NEAR(system->potential()->energy(0.0, s.x, s.z), 50.0 * 0.4 * 0.4, 1e-12);
   }
 }
