@@ -49,11 +49,11 @@ Figure hookes_law_3d() {
     circleX.push_back(onCircle(L0, angle).x());
     circleZ.push_back(onCircle(L0, angle).z());
   }
-  auto plane = figure.panel("z_a");
-  plane.heading("force on node a, node b in the origin");
-  plane.reference("L = L0", circleX, circleZ).points("", {0.0}, {0.0}).colour(3).note(0.0, 0.0, "b");
-  pushed.addTo(plane, "short", 0);
-  pulled.addTo(plane, "long", 1);
+  auto plane = figure.panel("z_a [m]");
+  plane.heading("force on node a; dashed: L = L0");
+  plane.reference("", circleX, circleZ).points("", {0.0}, {0.0}).colour(3).note(0.0, 0.0, "b");
+  pushed.addTo(plane, "too short", 0);
+  pulled.addTo(plane, "too long", 1);
   plane.points("", restX, restZ).colour(2).equalAxes().xRange(-1.8, 1.8).yRange(-1.8, 1.8);
 
   const std::vector<double> L = linear(0.1, 2.0, 20);
