@@ -28,6 +28,7 @@ struct MatrixCommand {
   std::string sandbox = "auto";
   bool noMutants = false;
   bool fresh = false;
+  int mutantsEvery = 1;
   int jobs = 2;
 };
 
@@ -51,6 +52,7 @@ int testTheTests(const MatrixCommand& command) {
   options.grading.sandbox = grader::parseSandboxChoice(command.sandbox);
   options.grading.fresh = command.fresh;
   options.mutants = !command.noMutants;
+  options.mutantsEvery = command.mutantsEvery;
   options.jobs = command.jobs;
   std::vector<grader::TopicMatrix> matrices;
   for (const Manifest& manifest : chosen(command, workplace)) {
@@ -66,7 +68,9 @@ int testTheTests(const MatrixCommand& command) {
     good = good && matrix.good();
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  fmt::print("{}time                      {:.0f} s\n", grader::summaryText(grader::summarise(matrices)), seconds);
+  fmt::print("{}{}time                      {:.0f} s\n", grader::summaryText(grader::summarise(matrices)),
+             command.mutantsEvery > 1 ? fmt::format("mutants                   one in {}\n", command.mutantsEvery) : "",
+             seconds);
   if (!command.csv.empty()) muelle::writeFile(command.csv, grader::matrixCsv(matrices));
   return good ? 0 : 1;
 }
@@ -79,6 +83,10 @@ void addTestTheTests(CLI::App& app, int& status) {
       "test-the-tests", "Grade submissions of known worth and mutants of the solutions: the kill matrix");
   command->add_option("TOPIC", options->topics, "Only these exercises [all that have submissions]");
   command->add_flag("--no-mutants", options->noMutants, "Only the submissions of tests/submissions");
+  command
+      ->add_option("--mutants-every", options->mutantsEvery,
+                   "One mutant in so many, and those of mutants.toml [1: all]")
+      ->check(CLI::Range(1, 1000));
   command->add_option("--jobs,-j", options->jobs, "Submissions at a time [2]")->check(CLI::Range(1, 256));
   command->add_option("--csv", options->csv, "Also write every verdict to this file");
   command->add_option("--seed", options->seed, "Other random inputs than the usual ones");

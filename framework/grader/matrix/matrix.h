@@ -15,6 +15,7 @@ namespace muelle::grader {
 struct MatrixOptions {
   GradeOptions grading;
   bool mutants = true;
+  int mutantsEvery = 1;  ///< grade one mutant in so many; those listed in mutants.toml always
   int jobs = 2;
 };
 

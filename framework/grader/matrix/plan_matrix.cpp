@@ -17,7 +17,7 @@ class Planner {
  public:
   Planner(const Workplace& workplace, const Manifest& manifest) : workplace_(workplace), manifest_(manifest) {}
 
-  TopicMatrix plan(bool withMutants) {
+  TopicMatrix plan(const MatrixOptions& options) {
     const fs::path program = workplace_.hiddenProgram(manifest_.topic);
     if (!fs::exists(program)) {
       throw std::runtime_error(
@@ -33,7 +33,7 @@ class Planner {
     addRow(MatrixRow::Kind::Stub, "stub", workplace_.exercises() / manifest_.topic);
     addRows(MatrixRow::Kind::Right, "right");
     addRows(MatrixRow::Kind::Wrong, "wrong");
-    if (withMutants) addMutants();
+    if (options.mutants) addMutants(options.mutantsEvery);
     return std::move(matrix_);
   }
 
@@ -68,10 +68,11 @@ class Planner {
     matrix_.rows.push_back(std::move(row));
   }
 
-  void addMutants() {
+  void addMutants(int every) {
     const fs::path file = submissions() / "mutants.toml";
     std::vector<Survivor> survivors = readSurvivors(file, shown(file));
     const std::string& name = manifest_.files.front();
+    int number = 0;
     for (const Mutation& mutation : mutations(readFile(solution() / name))) {
       Mutant mutant;
       mutant.mutation = mutation;
@@ -81,7 +82,7 @@ class Planner {
         mutant.reason = listed->reason;
         survivors.erase(listed);
       }
-      matrix_.mutants.push_back(std::move(mutant));
+      if (number++ % every == 0 || !mutant.reason.empty()) matrix_.mutants.push_back(std::move(mutant));
     }
     for (const Survivor& survivor : survivors) {
       matrix_.staleSurvivors.push_back(fmt::format("{}: the solution has no mutation {} (occurrence {}) in a line '{}'",
@@ -98,7 +99,7 @@ class Planner {
 }  // namespace
 
 TopicMatrix planMatrix(const Workplace& workplace, const Manifest& manifest, const MatrixOptions& options) {
-  return Planner(workplace, manifest).plan(options.mutants);
+  return Planner(workplace, manifest).plan(options);
 }
 
 }  // namespace muelle::grader
