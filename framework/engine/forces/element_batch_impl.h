@@ -3,8 +3,7 @@
 /// Bodies of ElementBatch, for the files that instantiate it.
 
 #include "engine/forces/element_batch.h"
-
-#include <Eigen/Eigenvalues>
+#include "engine/forces/positive_part.h"
 
 namespace muelle::engine {
 
@@ -51,10 +50,7 @@ void ElementBatch<D, Element>::addDerivatives(const Configuration& at, double, d
   if (cK == 0.0) return;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     Matrix K = elements_[e].hessian(gather(elements_[e], at.x));
-    if (form == Form::Projected) {
-      const Eigen::SelfAdjointEigenSolver<Matrix> eigen(K);
-      K = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * eigen.eigenvectors().transpose();
-    }
+    if (form == Form::Projected) keepPositivePart(K);
     for (int i = 0; i < N; ++i) {
       for (int j = 0; j < N; ++j) {
         addBlock<D>(values, slots_[e][static_cast<std::size_t>(i * N + j)], cK, K.template block<D, D>(D * i, D * j));
