@@ -3,9 +3,9 @@
 /// What a system can offer a method beyond its force. Students never see this header.
 
 #include "harness/state.h"
+#include "harness/types.h"
 
 #include <array>
-#include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <vector>
 

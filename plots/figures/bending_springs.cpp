@@ -21,6 +21,8 @@ engine::Model strip(double angleStiffness) {
   shape.spring.k = 1e5;
   shape.angleStiffness = angleStiffness;
   engine::addChain(model, shape);
+  // The angle at the clamp stands for half a spring's length of beam: twice as stiff.
+  if (!model.angles.empty()) model.angles.front().k *= 2.0;
   for (auto& node : model.nodes) node.m = mass / springs;
   model.nodes.back().m *= 0.5;  // a node stands for half a spring on each side
   model.nodes[0].pinned = model.nodes[1].pinned = true;

@@ -102,7 +102,8 @@ Figure hanging_chain() {
     }
     distances.line(fmt::format("{} springs", n), k, distance);
   }
-  distances.logX().logY().yRange(1e-6, 1).note(12, 3e-6, fmt::format("largest sum of forces: {:.0e} N", residual));
+  distances.logX().logY().xRange(10, 1e5).yRange(1e-6, 1).note(
+      12, 3e-6, fmt::format("largest sum of forces: {:.0e} N", residual));
   return figure;
 }
 

@@ -162,10 +162,11 @@ void MassSpringSystem::assemble(double cM, double cD, double cK, double t, In x,
   }
   if (drag_) drag_->addDerivatives(at, cD, cK, form, values);
   if (cM != 0.0) {
-    for (int i = 0; i < size_; ++i) {
-      const BlockSlot slot = pattern_->slot(i / dimension_, i / dimension_);
-      const int axis = i % dimension_;
-      values[slot.base + axis * slot.stride + axis] += cM * mass_[static_cast<std::size_t>(i)];
+    for (int node = 0; node < numbering_.freeNodes; ++node) {
+      const BlockSlot slot = pattern_->slot(node, node);
+      for (int axis = 0; axis < dimension_; ++axis) {
+        values[slot.base + axis * slot.stride + axis] += cM * mass_[static_cast<std::size_t>(dimension_ * node + axis)];
+      }
     }
   }
   int columns = 0;
