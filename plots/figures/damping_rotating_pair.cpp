@@ -34,16 +34,12 @@ Figure damping_rotating_pair() {
   auto turning = figure.panel("angular momentum [kg m^2/s]");
   turning.heading("a pair on a spring turns").yRange(0.0, 4.0);
   auto drifting = figure.panel("momentum [kg m/s]");
-  drifting.heading("and drifts").yRange(0.0, 3.636);
-  const struct {
-    const engine::Model& model;
-    const char* name;
-  } variants[] = {{node, "node"}, {relative, "relative"}, {projected, "projected"}};
-  for (const auto& [model, name] : variants) {
-    const auto system = engine::build(model);
+  drifting.heading("and drifts").yRange(0.0, 4.0);
+  for (const engine::Model* model : {&node, &relative, &projected}) {
+    const auto system = engine::build(*model);
     const Trajectory trajectory = run(*system, "runge_kutta_4", 1e-3, 5.0, 0.01).trajectory;
     turning.line("", trajectory.t, along(trajectory, [&](const State& s) { return system->angularMomentum(s).z(); }));
-    drifting.line(name, trajectory.t, along(trajectory, [&](const State& s) { return system->momentum(s).x(); }));
+    drifting.line("", trajectory.t, along(trajectory, [&](const State& s) { return system->momentum(s).x(); }));
   }
   turning.note(1.6, 2.2, "node and relative").note(2.0, 3.5, "projected");
   drifting.note(1.6, 2.0, "node").note(1.6, 3.2, "relative and projected");

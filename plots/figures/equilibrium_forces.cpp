@@ -21,7 +21,7 @@ engine::Model house() {
   for (const auto& [a, b] : {std::pair(0, 1), {1, 2}, {2, 3}, {3, 0}, {0, 2}, {1, 3}, {2, 4}, {3, 4}}) {
     const double length =
         (model.nodes[static_cast<std::size_t>(a)].x - model.nodes[static_cast<std::size_t>(b)].x).norm();
-    model.springs.push_back({.a = a, .b = b, .k = 120.0, .L0 = length});
+    model.springs.push_back({.a = a, .b = b, .k = 250.0, .L0 = length});
   }
   engine::Obstacle ground;
   ground.material.k = 1000.0;
@@ -85,9 +85,7 @@ Figure equilibrium_forces() {
     whole.reference("", {x[2 * a], x[2 * b]}, {x[2 * a + 1], x[2 * b + 1]});
   }
   auto polygon = figure.panel("vertical [N]");
-  polygon.heading(fmt::format("left foot: the arrows close to {:.0e} N", rest.residual))
-      .xLabel("horizontal [N]")
-      .equalAxes();
+  polygon.heading("left foot: the arrows close").xLabel("horizontal [N]").equalAxes().xRange(-15.0, 20.0);
 
   double penX = 0.0, penY = 0.0;
   const auto draw = [&](const std::string& name, const std::vector<engine::Model>& parts, int colour) {
@@ -107,6 +105,7 @@ Figure equilibrium_forces() {
   draw("gravity", {onlyGravity(model)}, 2);
   draw("springs", springs, 0);
   draw("contact", {onlyGround(model)}, 1);
+  polygon.note(4.0, -13.0, "largest sum at").note(4.0, -15.0, fmt::format("any node: {:.0e} N", rest.residual));
   return figure;
 }
 

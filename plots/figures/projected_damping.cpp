@@ -19,13 +19,16 @@ Figure projected_damping() {
   const Trajectory& trajectory = result.trajectory;
   const auto& t = trajectory.t;
 
+  // Turning without vibration: k (L - L0) = J^2 / (mu L^3), J the angular momentum, mu the reduced mass.
+  const double turning = 1.07867456862361;
+
   Figure figure("projected_damping", "Projected damping takes the vibration and leaves the rotation", "time [s]");
   figure.slide(2);
   figure.panel("length [m]")
       .heading("vibration")
       .line("", t,
             along(trajectory, [&](const State& s) { return (system->position(s, 0) - system->position(s, 1)).norm(); }))
-      .reference("turning equilibrium", {0.0, 3.0}, {1.07867456862361, 1.07867456862361});
+      .reference("turning equilibrium", {0.0, 3.0}, {turning, turning});
   figure.panel("[J], [kg m^2/s]")
       .heading("energy and rotation")
       .line("energy", t, along(trajectory, [&](const State& s) { return system->totalEnergy(s); }))

@@ -32,16 +32,18 @@ Trajectory blind(const engine::ModelSystem& system, double h, double duration) {
   const auto method = engine::makeMethod("runge_kutta_4");
   method->prepare(system, {});
   Trajectory trajectory;
+  const auto record = [&trajectory](const State& state) {
+    trajectory.t.push_back(state.t);
+    trajectory.x.push_back(state.x);
+    trajectory.v.push_back(state.v);
+  };
   State from = system.initialState(), to = from;
-  for (bool first = true; from.t < duration + 0.5 * h; first = false) {
-    if (!first) {
-      method->step(system, from, h, to);
-      std::swap(from, to);
-      system.switching()->commit(from, false);
-    }
-    trajectory.t.push_back(from.t);
-    trajectory.x.push_back(from.x);
-    trajectory.v.push_back(from.v);
+  record(from);
+  while (from.t < duration - 0.5 * h) {
+    method->step(system, from, h, to);
+    std::swap(from, to);
+    system.switching()->commit(from, false);
+    record(from);
   }
   return trajectory;
 }
@@ -58,10 +60,12 @@ Figure tunnelling() {
   const Trajectory located = careful(*system, 1.0 / 60, 0.1, 1e-3);
   const Trajectory coarse = blind(*system, 1.0 / 60, 0.1);
   const Trajectory fine = blind(*system, 2e-4, 0.1);
-  panel.line("1/60 s, touch found", located.t, located.position(0));
-  panel.linePoints("1/60 s, blind", coarse.t, coarse.position(0));
-  panel.line("0.2 ms, blind", fine.t, fine.position(0));
-  panel.reference("wall", {0.0, 0.1}, {0.0, 0.0}).yRange(-20.0, 20.0);
+  panel.line("", located.t, located.position(0));
+  panel.linePoints("", coarse.t, coarse.position(0));
+  panel.line("", fine.t, fine.position(0));
+  panel.reference("wall", {0.0, 0.1}, {0.0, 0.0}).xRange(0.0, 0.1).yRange(-20.0, 20.0);
+  panel.note(0.008, 7.0, "1/60 s, blind: through").note(0.055, -2.3, "1/60 s, touch found");
+  panel.note(0.05, -15.0, "0.2 ms, blind: thrown");
 
   auto zoom = figure.panel("position [mm]");
   zoom.heading("the touch").xLabel("time [ms]");
@@ -75,6 +79,7 @@ Figure tunnelling() {
   zoom.linePoints("", scaled(fine.t), scaled(fine.position(0)));
   zoom.reference("", {9.8, 10.4}, {0.0, 0.0}).reference("", {9.8, 10.4}, {10.0, 10.0});
   zoom.xRange(9.8, 10.4).yRange(-20.0, 20.0);
+  zoom.note(9.82, 15.0, "1/60 s, blind: no step ends in here");
   return figure;
 }
 
