@@ -21,7 +21,9 @@ struct RunOptions {
   double outputInterval = 0.0;           ///< [s]; 0: every step. Outputs between steps come from dense output
   std::vector<double> outputTimes = {};  ///< besides: exact times to be hit by a step [s], ascending
   std::vector<Probe> probes = {};
-  bool locateEvents = true;           ///< integrate to declared times and to zeros of guards, and restart there
+  /// Integrate to declared times and to zeros of guards, and restart there. At thin obstacles steps are cut in any
+  /// case.
+  bool locateEvents = true;
   bool compensated = false;           ///< compensated summation of the state and of the time (long runs)
   bool checkStability = true;         ///< warn before the run of a step beyond the stability limit
   bool checkNumericalDamping = true;  ///< warn when the method damps modes that carry energy more than the scene does
