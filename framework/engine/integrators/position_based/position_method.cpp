@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace muelle::engine {
 
@@ -45,6 +47,21 @@ StepResult PositionMethod::finish(const State& from, double h, State& to) const 
   result.done = std::ranges::all_of(to.x, finite) && std::ranges::all_of(to.v, finite);
   if (!result.done) result.failure = fmt::format("{} with h = {:.6g} s: the new state is not finite", info_.id, h);
   return result;
+}
+
+MethodInfo positionBasedInfo(std::string id, std::string name) {
+  MethodInfo info;
+  info.id = std::move(id);
+  info.name = std::move(name);
+  info.order = 1;
+  info.stages = 0;
+  info.implicit = true;
+  info.iterative = true;
+  info.conservesMomentum = true;
+  info.stability = Stability::LStable;
+  info.imaginaryLimit = info.realLimit = std::numeric_limits<double>::infinity();
+  info.needs.constraints = true;
+  return info;
 }
 
 }  // namespace muelle::engine

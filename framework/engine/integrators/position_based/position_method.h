@@ -26,4 +26,7 @@ class PositionMethod : public Method {
   std::vector<double> external_, mass_;
 };
 
+/// A MethodInfo with what the position based methods have in common.
+MethodInfo positionBasedInfo(std::string id, std::string name);
+
 }  // namespace muelle::engine

@@ -13,17 +13,8 @@ namespace {
 using Vector = Eigen::VectorXd;
 
 MethodInfo facts(int iterations) {
-  MethodInfo info;
-  info.id = "projective_dynamics";
-  info.name = fmt::format("projective dynamics, {} iterations", iterations);
-  info.order = 1;
-  info.stages = 0;
-  info.implicit = true;
-  info.iterative = true;
-  info.conservesMomentum = true;
-  info.stability = Stability::LStable;
-  info.imaginaryLimit = info.realLimit = std::numeric_limits<double>::infinity();
-  info.needs.constraints = true;
+  MethodInfo info =
+      positionBasedInfo("projective_dynamics", fmt::format("projective dynamics, {} iterations", iterations));
   info.needs.distanceConstraints = true;
   info.formula = "(M / h^2 + sum k A^T A) x = M s / h^2 + sum k A^T p,  s = x0 + h v0 + h^2 M^-1 F_ext,  |p| = L0";
   info.source = "Bouaziz et al.: Projective Dynamics, 2014; Liu et al. 2013 for springs";

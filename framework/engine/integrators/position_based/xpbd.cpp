@@ -11,17 +11,7 @@ namespace muelle::engine {
 namespace {
 
 MethodInfo facts(int substeps) {
-  MethodInfo info;
-  info.id = "xpbd";
-  info.name = fmt::format("XPBD, {} substeps", substeps);
-  info.order = 1;
-  info.stages = 0;
-  info.implicit = true;
-  info.iterative = true;
-  info.conservesMomentum = true;
-  info.stability = Stability::LStable;
-  info.imaginaryLimit = info.realLimit = std::numeric_limits<double>::infinity();
-  info.needs.constraints = true;
+  MethodInfo info = positionBasedInfo("xpbd", fmt::format("XPBD, {} substeps", substeps));
   info.formula = "each substep: x += h v + h^2 M^-1 F_ext; once for each C: x -= M^-1 grad C (C + g) / (w + h^-2 / k)";
   info.source = "Macklin et al.: Small Steps in Physics Simulation, 2019; XPBD, 2016";
   info.remark =
