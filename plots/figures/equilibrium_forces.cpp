@@ -1,3 +1,4 @@
+#include "drawing.h"
 #include "engine/statics/equilibrium.h"
 #include "tools.h"
 
@@ -47,17 +48,11 @@ engine::Model onlySpring(engine::Model model, std::size_t j) {
   return model;
 }
 
-/// Arrows of forces [N]: where they act, how far they reach.
-struct Arrows {
-  std::vector<double> x, y, dx, dy;
-  void add(double atX, double atY, double forceX, double forceY, double scale) {
-    if (std::max(std::abs(forceX), std::abs(forceY)) < 1e-9) return;
-    x.push_back(atX);
-    y.push_back(atY);
-    dx.push_back(scale * forceX);
-    dy.push_back(scale * forceY);
-  }
-};
+/// Adds an arrow for a force [N] at a point of the plane; none where it vanishes.
+void addForce(Arrows& arrows, double x, double z, double forceX, double forceZ, double scale) {
+  if (std::max(std::abs(forceX), std::abs(forceZ)) < 1e-9) return;
+  arrows.add(Vec3(x, 0.0, z), scale * Vec3(forceX, 0.0, forceZ));
+}
 
 std::vector<double> forces(const engine::Model& part, const State& rest) {
   const auto system = engine::build(part);
@@ -92,13 +87,13 @@ Figure equilibrium_forces() {
     Arrows onNodes, chain;
     for (const engine::Model& part : parts) {
       const std::vector<double> f = forces(part, rest.state);
-      for (std::size_t i = 0; i < x.size(); i += 2) onNodes.add(x[i], x[i + 1], f[i], f[i + 1], 0.012);
-      chain.add(penX, penY, f[0], f[1], 1.0);
+      for (std::size_t i = 0; i < x.size(); i += 2) addForce(onNodes, x[i], x[i + 1], f[i], f[i + 1], 0.012);
+      addForce(chain, penX, penY, f[0], f[1], 1.0);
       penX += f[0];
       penY += f[1];
     }
-    whole.arrows(name, onNodes.x, onNodes.y, onNodes.dx, onNodes.dy).colour(colour);
-    polygon.arrows("", chain.x, chain.y, chain.dx, chain.dy).colour(colour);
+    onNodes.addTo(whole, name, colour);
+    chain.addTo(polygon, "", colour);
   };
   std::vector<engine::Model> springs;
   for (std::size_t j = 0; j < model.springs.size(); ++j) springs.push_back(onlySpring(model, j));
