@@ -1,11 +1,12 @@
 /// \file
 /// `muelle figures`: draws the lecture's figures.
 
-#include "app/errors.h"
+#include "base/errors.h"
+#include "base/progress_bar.h"
+#include "base/text/nearest.h"
+#include "base/text/printable.h"
 #include "figure_list.h"
-#include "harness/progress_bar.h"
-#include "harness/text/nearest.h"
-#include "harness/text/printable.h"
+#include "figures/write.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -34,7 +35,7 @@ const LectureFigure& find(const std::string& name) {
     known.push_back(figure.name);
   }
   const std::string guess = muelle::didYouMean(name, known);
-  throw std::invalid_argument(fmt::format("no figure '{}'{}", muelle::printable(name),
+  throw std::invalid_argument(fmt::format("no figure '{}'{}", muelle::printableLine(name),
                                           guess.empty() ? "; ./muelle figures --list names them" : guess));
 }
 
@@ -91,5 +92,5 @@ int parseAndDraw(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return muelle::app::withErrorsOnOneLine([=] { return parseAndDraw(argc, argv); });
+  return muelle::withErrorsOnOneLine([=] { return parseAndDraw(argc, argv); });
 }

@@ -1,5 +1,5 @@
 #include "contact.h"
-#include "harness/testing/expect.h"
+#include "course/testing/expect.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
+#include "course/testing/expect.h"
 #include "energy_gradient.h"
-#include "harness/testing/expect.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "harness/testing/expect.h"
+#include "course/testing/expect.h"
 #include "spring_1d.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "spring_3d.h"
 
-#include "harness/testing/expect.h"
+#include "course/testing/expect.h"
 
 #include <gtest/gtest.h>
 

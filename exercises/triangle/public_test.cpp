@@ -1,4 +1,4 @@
-#include "harness/testing/expect.h"
+#include "course/testing/expect.h"
 #include "triangle.h"
 
 #include <gtest/gtest.h>

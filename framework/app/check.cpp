@@ -1,8 +1,8 @@
 #include "app/commands.h"
-#include "app/terminal.h"
-#include "harness/check/exercise_check.h"
-#include "harness/course/manifest.h"
-#include "harness/text/printable.h"
+#include "base/terminal.h"
+#include "base/text/printable.h"
+#include "course/check/exercise_check.h"
+#include "course/manifest.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -37,7 +37,7 @@ std::string shortPath(const fs::path& path) {
 /// What the student's own code printed, between two lines that say so.
 void printOutput(const std::string& output) {
   if (output.empty()) return;
-  fmt::print("{}\n{}\n", dim("  your code printed:"), indented(printable(cutText(output, 20, 2000)), "  | "));
+  fmt::print("{}\n{}\n", dim("  your code printed:"), indented(printableText(cutText(output, 20, 2000)), "  | "));
 }
 
 /// "./muelle check" of one exercise.
@@ -81,7 +81,7 @@ class Check {
   /// The first thing to mend, and the hint of its criterion.
   void printFirst(const TestReport& report) const {
     if (report.failures.empty()) {
-      fmt::print("\n  {}\n", printable(report.crash.empty() ? "no test ran" : report.crash));
+      fmt::print("\n  {}\n", printableText(report.crash.empty() ? "no test ran" : report.crash));
       return;
     }
     const FailedTest& first = report.failures.front();

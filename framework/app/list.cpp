@@ -1,6 +1,6 @@
 #include "app/commands.h"
-#include "harness/build_paths.h"
-#include "harness/course/manifest.h"
+#include "base/build_paths.h"
+#include "course/manifest.h"
 
 #include <fmt/format.h>
 #include <filesystem>

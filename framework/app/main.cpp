@@ -2,9 +2,9 @@
 /// The `muelle` command: reads the command line and calls the rooms; decides nothing itself.
 
 #include "app/commands.h"
-#include "app/errors.h"
-#include "harness/text/nearest.h"
-#include "harness/text/printable.h"
+#include "base/errors.h"
+#include "base/text/nearest.h"
+#include "base/text/printable.h"
 
 #include <fmt/format.h>
 #include <stdexcept>
@@ -34,10 +34,8 @@ void refuseUnknownCommand(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   if (word.starts_with("-") || std::find(names.begin(), names.end(), word) != names.end()) return;
-  const std::string guess = muelle::didYouMean(word, names);
   throw std::invalid_argument(
-      fmt::format("no command '{}'{}", muelle::printable(word),
-                  guess.empty() ? fmt::format("; there are {}", fmt::join(names, ", ")) : guess));
+      fmt::format("no command '{}'{}", muelle::printableLine(word), muelle::suggestion(word, names)));
 }
 
 int run(int argc, char** argv) {
@@ -64,5 +62,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return muelle::app::withErrorsOnOneLine([=] { return run(argc, argv); });
+  return muelle::withErrorsOnOneLine([=] { return run(argc, argv); });
 }

@@ -1,5 +1,5 @@
 #include "app/commands.h"
-#include "app/terminal.h"
+#include "base/terminal.h"
 
 #include <fmt/format.h>
 

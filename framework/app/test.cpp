@@ -1,6 +1,6 @@
 #include "app/commands.h"
-#include "app/process.h"
-#include "harness/build_paths.h"
+#include "base/build_paths.h"
+#include "base/process/child.h"
 
 #include <memory>
 #include <string>

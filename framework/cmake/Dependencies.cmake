@@ -11,6 +11,8 @@ find_package(CLI11 REQUIRED)
 find_package(GTest REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
+pkg_check_modules(utf8proc REQUIRED IMPORTED_TARGET libutf8proc)
+find_library(MUELLE_UTF8PROC_LIBRARY utf8proc REQUIRED)
 
 # The same definitions everywhere, or the precompiled header would not fit.
 target_link_libraries(muelle_flags INTERFACE fmt::fmt Eigen3::Eigen)

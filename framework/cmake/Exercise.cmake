@@ -32,15 +32,19 @@ function(muelle_check_parts topic)
     return()
   endif()
   set(folder ${CMAKE_SOURCE_DIR}/exercises/${topic})
-  muelle_role_library(public_${topic} ${topic} harness/testing/direct_functions.h
+  muelle_role_library(public_${topic} ${topic} course/testing/direct_functions.h
                       ${folder}/public_test.cpp ${folder}/demo.cpp)
   file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/check/${topic}.rsp CONTENT
 "$<JOIN:$<TARGET_OBJECTS:public_${topic}>,\n>
 $<JOIN:$<TARGET_OBJECTS:muelle_public_main>,\n>
 $<TARGET_FILE:muelle_testing>
+$<TARGET_FILE:muelle_course>
+$<TARGET_FILE:muelle_figures>
 $<TARGET_FILE:muelle_harness>
+$<TARGET_FILE:muelle_base>
 $<TARGET_FILE:GTest::gtest>
 $<TARGET_FILE:fmt::fmt>
+${MUELLE_UTF8PROC_LIBRARY}
 -pthread
 ${MUELLE_SANITIZER_LINK_FLAG}
 ")

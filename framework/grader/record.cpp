@@ -1,6 +1,6 @@
 #include "grader/record.h"
 
-#include "harness/file.h"
+#include "base/file.h"
 
 #include <algorithm>
 #include <fstream>

@@ -1,20 +1,13 @@
 #include "harness/figure.h"
 
-#include "harness/figure_script.h"
-#include "harness/file.h"
-#include "harness/gnuplot.h"
-
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
 namespace muelle {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -44,12 +37,6 @@ void requireId(const std::string& id) {
   if (!id.empty() && id.size() <= longest && std::all_of(id.begin(), id.end(), allowed)) return;
   throw std::invalid_argument(
       fmt::format("Figure: an id is 1 to {} letters, digits and _, because it names the files", longest));
-}
-
-void publish(const fs::path& from, const fs::path& to) {
-  std::error_code error;
-  fs::rename(from, to, error);
-  if (error) throw std::runtime_error(fmt::format("cannot write {}: {}", to.string(), error.message()));
 }
 
 }  // namespace
@@ -247,70 +234,6 @@ Figure Figure::over(const Figure& reference) const {
     series.insert(series.end(), under.begin(), under.end());
   }
   return both;
-}
-
-void Figure::write(const fs::path& folder) const { writeFigures({*this}, folder); }
-
-namespace {
-
-const char* extensionOf(Format format) {
-  switch (format) {
-    case Format::Pdf:
-      return ".pdf";
-    case Format::Png:
-      return ".png";
-    case Format::Svg:
-      break;
-  }
-  return ".svg";
-}
-
-/// A drawing that was broken off ends otherwise.
-bool isComplete(const std::string& drawing, Format format) {
-  const char* end = format == Format::Svg ? "</svg>" : format == Format::Pdf ? "%%EOF" : "IEND";
-  return drawing.find(end) != std::string::npos;
-}
-
-/// The name of the script of a format: the SVG's is the one that stays.
-std::string scriptName(const Figure& figure, Format format) {
-  return figure.id() + (format == Format::Svg ? "" : std::string(extensionOf(format))) + ".gp";
-}
-
-}  // namespace
-
-void writeFigures(const std::vector<Figure>& figures, const fs::path& folder, const std::vector<Format>& formats) {
-  if (figures.empty()) return;
-  std::set<std::string> ids;
-  for (const Figure& figure : figures) {
-    if (ids.insert(figure.id()).second) continue;
-    throw std::invalid_argument(fmt::format("writeFigures: two figures have the id '{}'", figure.id()));
-  }
-
-  const TemporaryFolder work(folder);
-  std::vector<std::string> scripts;
-  for (const Figure& figure : figures) {
-    for (const Format format : formats) {
-      const FigureText text = figureText(figure, format);
-      writeFile(work.path() / (figure.id() + ".dat"), text.data);
-      scripts.push_back(scriptName(figure, format));
-      writeFile(work.path() / scripts.back(), text.script);
-    }
-  }
-  runGnuplot(work.path(), scripts);
-  for (const Figure& figure : figures) {
-    for (const Format format : formats) {
-      if (isComplete(readFile(work.path() / (figure.id() + extensionOf(format))), format)) continue;
-      throw std::runtime_error(fmt::format("gnuplot drew no complete figure '{}'", figure.id()));
-    }
-  }
-  for (const Figure& figure : figures) {
-    publish(work.path() / (figure.id() + ".dat"), folder / (figure.id() + ".dat"));
-    for (const Format format : formats) {
-      const std::string drawing = figure.id() + extensionOf(format);
-      publish(work.path() / drawing, folder / drawing);
-      if (format == Format::Svg) publish(work.path() / scriptName(figure, format), folder / scriptName(figure, format));
-    }
-  }
 }
 
 }  // namespace muelle

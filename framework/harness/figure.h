@@ -1,5 +1,4 @@
 #pragma once
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -63,15 +62,11 @@ struct Panel {
   std::vector<std::string> yNames = {};
 };
 
-/// What a figure is written as.
-enum class Format { Svg, Pdf, Png };
-
-/// The one way to draw a plot: a data file, a gnuplot script that can be run again by hand, and an SVG.
+/// A plot as data; figures/write.h draws it.
 ///
 ///     Figure figure("oscillator", "A spring swings about its rest length", "time [s]");
 ///     figure.panel("position [m]").line("simulated", t, x).reference("analytic", t, exact);
 ///     figure.panel("energy [J]").line("total", t, E);
-///     figure.write("out");   // out/oscillator.dat, out/oscillator.gp, out/oscillator.svg
 ///
 /// Titles, names and labels come from this project's sources, never from a submission: they are checked against a plain
 /// alphabet (std::invalid_argument otherwise) before gnuplot reads them: letters, digits, blank and
@@ -153,10 +148,6 @@ class Figure {
   /// Throws std::invalid_argument when the panels differ in number.
   Figure over(const Figure& reference) const;
 
-  /// Writes id.dat, id.gp and id.svg into the folder, which is made when missing; `gnuplot id.gp` there draws it again.
-  /// Throws std::runtime_error with gnuplot's words when it fails, and then leaves nothing behind.
-  void write(const std::filesystem::path& folder) const;
-
  private:
   std::string id_;
   std::string title_;
@@ -166,11 +157,5 @@ class Figure {
   int columns_ = 0;
   std::vector<Panel> panels_;
 };
-
-/// Writes several figures at once, with a single run of gnuplot (each start costs 20 ms): all of them or none.
-/// Throws std::invalid_argument when two share an id; otherwise as Figure::write. A PNG of a slide has 1280 x 720
-/// pixels, of another figure a width of 1280.
-void writeFigures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
-                  const std::vector<Format>& formats = {Format::Svg});
 
 }  // namespace muelle

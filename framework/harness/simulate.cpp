@@ -1,6 +1,6 @@
 #include "harness/simulate.h"
 
-#include "harness/progress_bar.h"
+#include "base/progress_bar.h"
 #include "harness/run_monitor.h"
 
 #include <fmt/format.h>

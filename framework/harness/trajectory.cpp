@@ -1,6 +1,8 @@
 #include "harness/trajectory.h"
 
-#include "harness/file.h"
+#include "base/file.h"
+#include "base/text/escape.h"
+#include "base/text/nearest.h"
 
 #include <fmt/format.h>
 #include <iterator>
@@ -22,14 +24,6 @@ std::vector<double> column(const std::vector<std::vector<double>>& rows, int i, 
   return values;
 }
 
-/// A field of RFC 4180: quoted only when it must be.
-std::string csvField(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
 std::string csvHeader(const Trajectory& trajectory) {
   std::string header = "t [s]";
   const std::size_t size = trajectory.x.empty() ? 0 : trajectory.x.front().size();
@@ -47,13 +41,13 @@ std::vector<double> Trajectory::position(int i) const { return column(x, i, "pos
 std::vector<double> Trajectory::velocity(int i) const { return column(v, i, "velocity"); }
 
 const std::vector<double>& Trajectory::track(const std::string& name) const {
-  std::string known;
+  std::vector<std::string> known;
   for (const Track& candidate : tracks) {
     if (candidate.name == name) return candidate.values;
-    known += (known.empty() ? "'" : ", '") + candidate.name + "'";
+    known.push_back(candidate.name);
   }
   throw std::out_of_range(
-      fmt::format("Trajectory: no probe '{}'; there are: {}", name, known.empty() ? "none" : known));
+      fmt::format("Trajectory: no probe '{}'{}", name, known.empty() ? "; there are none" : suggestion(name, known)));
 }
 
 State Trajectory::last() const {

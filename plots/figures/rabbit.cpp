@@ -1,5 +1,5 @@
+#include "base/build_paths.h"
 #include "engine/scene/run_scene.h"
-#include "harness/build_paths.h"
 #include "tools.h"
 
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 /// The matrix of the hard cases: its predictions are theory, its verdicts cannot be talked into passing.
 
 #include "matrix/matrix.h"
+#include "base/file.h"
 #include "engine/integrators/catalogue.h"
-#include "harness/file.h"
 #include "references.h"
 
 #include <gtest/gtest.h>

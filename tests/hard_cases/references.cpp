@@ -1,6 +1,6 @@
 #include "references.h"
 
-#include "harness/file.h"
+#include "base/file.h"
 
 #include <fmt/format.h>
 #include <cstdlib>

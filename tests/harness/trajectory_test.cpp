@@ -1,6 +1,6 @@
 #include "harness/trajectory.h"
-#include "harness/file.h"
-#include "temporary.h"
+#include "base/file.h"
+#include "support/temporary.h"
 
 #include <gtest/gtest.h>
 #include <cmath>

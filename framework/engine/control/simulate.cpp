@@ -1,5 +1,6 @@
 #include "engine/control/simulate.h"
 
+#include "base/progress_bar.h"
 #include "engine/analysis/numerical_damping.h"
 #include "engine/analysis/stability.h"
 #include "engine/control/event_locator.h"
@@ -8,7 +9,6 @@
 #include "engine/control/step_controller.h"
 #include "engine/control/step_grid.h"
 #include "engine/control/stepper.h"
-#include "harness/progress_bar.h"
 #include "harness/run_monitor.h"
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 #include "engine/integrators/catalogue.h"
 
+#include "base/text/nearest.h"
+#include "base/text/printable.h"
 #include "engine/integrators/explicit/methods.h"
 #include "engine/integrators/implicit/methods.h"
 #include "engine/integrators/position_based/methods.h"
-#include "harness/text/nearest.h"
-#include "harness/text/printable.h"
 
 #include <fmt/format.h>
 #include <stdexcept>
@@ -54,9 +54,7 @@ std::size_t indexOf(std::string_view id) {
     if (ids[i] == id) return i;
   }
   const std::string word(id);
-  const std::string guess = didYouMean(word, ids);
-  throw std::invalid_argument(fmt::format("no method '{}'{}", printable(word),
-                                          guess.empty() ? fmt::format("; there are {}", fmt::join(ids, ", ")) : guess));
+  throw std::invalid_argument(fmt::format("no method '{}'{}", printableLine(word), suggestion(word, ids)));
 }
 
 }  // namespace

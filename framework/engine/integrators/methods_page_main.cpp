@@ -1,8 +1,8 @@
 /// \file
 /// Writes the documentation page of the methods: muelle-methods-page FILE.
 
+#include "base/file.h"
 #include "engine/integrators/methods_page.h"
-#include "harness/file.h"
 
 #include <fmt/format.h>
 #include <cstdio>

@@ -1,8 +1,8 @@
 #include "engine/scene/mesh_file.h"
 
+#include "base/file.h"
+#include "base/toml/value.h"
 #include "engine/scene/mesh_text.h"
-#include "engine/scene/value.h"
-#include "harness/file.h"
 
 #include <fmt/format.h>
 #include <algorithm>

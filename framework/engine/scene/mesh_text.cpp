@@ -1,7 +1,7 @@
 #include "engine/scene/mesh_text.h"
 
+#include "base/text/printable.h"
 #include "engine/scene/mesh_file.h"
-#include "harness/text/printable.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -19,7 +19,7 @@ constexpr std::string_view blanks = " \t\r\v\f";
 
 std::string shownWord(std::string_view word) {
   constexpr std::size_t most = 40;
-  return printable(word.substr(0, most)) + (word.size() > most ? "..." : "");
+  return printableLine(word.substr(0, most)) + (word.size() > most ? "..." : "");
 }
 
 void MeshText::fail(const std::string& complaint) const {

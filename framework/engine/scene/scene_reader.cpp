@@ -4,9 +4,9 @@
 #include "engine/scene/table_reader.h"
 #include "engine/scene/time_functions.h"
 
+#include "base/text/nearest.h"
+#include "base/text/printable.h"
 #include "engine/integrators/catalogue.h"
-#include "harness/text/nearest.h"
-#include "harness/text/printable.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -46,7 +46,7 @@ std::array<int, 2> readPlane(const TableReader& table, const std::string& key) {
   const std::string axes = table.text(key);
   const auto isAxis = [](char c) { return c >= 'x' && c <= 'z'; };
   if (axes.size() != 2 || !isAxis(axes[0]) || !isAxis(axes[1]) || axes[0] == axes[1]) {
-    table.fail(key, fmt::format("'{}' is no plane; expected two axes, as in \"xz\"", printable(axes)));
+    table.fail(key, fmt::format("'{}' is no plane; expected two axes, as in \"xz\"", printableLine(axes)));
   }
   return {axes[0] - 'x', axes[1] - 'x'};
 }
@@ -282,7 +282,7 @@ SceneOutput readOutput(const TableReader& table, const Scene& scene) {
   if (output.kind == Kind::Distance && output.nodes.size() != 2) table.fail("nodes", "a distance has two nodes");
   const auto isTwin = [&](const SceneOutput& other) { return other.name == output.name; };
   if (std::ranges::any_of(scene.outputs, isTwin)) {
-    table.fail("name", fmt::format("'{}' is already that of another output", printable(output.name)));
+    table.fail("name", fmt::format("'{}' is already that of another output", printableLine(output.name)));
   }
   return output;
 }
@@ -336,7 +336,7 @@ Scene interpret(const TableReader& given, const std::filesystem::path& file) {
 }  // namespace
 
 Scene readScene(const std::filesystem::path& file) {
-  const Value root = readToml(file);
+  const TomlValue root = readToml(file);
   return interpret(TableReader(root, shownPath(file), "the scene"), file);
 }
 
@@ -355,16 +355,14 @@ std::vector<std::filesystem::path> listScenes(const std::filesystem::path& folde
 std::filesystem::path findScene(const std::string& nameOrPath, const std::filesystem::path& folder) {
   if (nameOrPath.ends_with(".toml") || nameOrPath.find('/') != std::string::npos) {
     if (std::filesystem::is_regular_file(nameOrPath)) return nameOrPath;
-    throw std::runtime_error(fmt::format("no scene file {}", printable(nameOrPath)));
+    throw std::runtime_error(fmt::format("no scene file {}", printableLine(nameOrPath)));
   }
   std::vector<std::string> names;
   for (const std::filesystem::path& file : listScenes(folder)) {
     names.push_back(file.stem().string());
     if (names.back() == nameOrPath) return file;
   }
-  const std::string near = didYouMean(nameOrPath, names);
-  throw std::runtime_error(fmt::format("no scene '{}'{}", printable(nameOrPath),
-                                       near.empty() ? fmt::format("; there are {}", fmt::join(names, ", ")) : near));
+  throw std::runtime_error(fmt::format("no scene '{}'{}", printableLine(nameOrPath), suggestion(nameOrPath, names)));
 }
 
 }  // namespace muelle::engine

@@ -1,7 +1,7 @@
 #include "engine/scene/selection.h"
 
-#include "harness/text/nearest.h"
-#include "harness/text/printable.h"
+#include "base/text/nearest.h"
+#include "base/text/printable.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -22,9 +22,7 @@ std::pair<int, int> chosenRange(const TableReader& table, const Scene& scene) {
     if (part.name == name) return {part.firstNode, part.nodeCount};
     names.push_back(part.name);
   }
-  const std::string near = didYouMean(name, names);
-  table.fail("object", fmt::format("no object '{}'{}", printable(name),
-                                   near.empty() ? fmt::format("; there are: {}", fmt::join(names, ", ")) : near));
+  table.fail("object", fmt::format("no object '{}'{}", printableLine(name), suggestion(name, names)));
 }
 
 std::vector<int> range(int first, int count) {
@@ -60,7 +58,7 @@ std::vector<int> cornerNodes(const TableReader& table, const Scene& scene, const
     const std::string axis = i + 1 < text.size() ? text.substr(i + 1, 1) : "";
     if (!isSigned || std::ranges::find(axes, axis) == axes.end()) {
       table.fail("corner", fmt::format("'{}' is no corner; expected signs with axes of {}, as in \"-{} +{}\"",
-                                       printable(text), fmt::join(axes, ", "), axes.front(), axes.back()));
+                                       printableLine(text), fmt::join(axes, ", "), axes.front(), axes.back()));
     }
     // One after the other, each among those that all signs choose from: a corner, not a corner of a corner.
     const std::vector<int> extreme = extremeNodes(scene, from, axis[0] - 'x', text[i] == '+' ? 1 : -1);

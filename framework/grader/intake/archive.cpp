@@ -1,7 +1,7 @@
 #include "grader/intake/archive.h"
 
+#include "base/text/printable.h"
 #include "grader/intake/read_file.h"
-#include "grader/text/printable.h"
 
 #include <archive.h>
 #include <archive_entry.h>

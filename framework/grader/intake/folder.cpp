@@ -1,8 +1,8 @@
 #include "grader/intake/folder.h"
 
+#include "base/process/descriptor.h"
+#include "base/text/printable.h"
 #include "grader/intake/read_file.h"
-#include "grader/process/descriptor.h"
-#include "grader/text/printable.h"
 
 #include <dirent.h>
 #include <fcntl.h>

@@ -1,11 +1,11 @@
 #include "grader/intake/intake.h"
 
+#include "base/process/descriptor.h"
+#include "base/text/printable.h"
 #include "grader/intake/archive.h"
 #include "grader/intake/collector.h"
 #include "grader/intake/folder.h"
 #include "grader/intake/read_file.h"
-#include "grader/process/descriptor.h"
-#include "grader/text/printable.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

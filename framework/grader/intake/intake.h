@@ -1,5 +1,5 @@
 #pragma once
-#include "harness/course/manifest.h"
+#include "course/manifest.h"
 
 #include <filesystem>
 #include <map>

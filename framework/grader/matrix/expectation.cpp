@@ -1,6 +1,6 @@
 #include "grader/matrix/expectation.h"
 
-#include "harness/text/nearest.h"
+#include "base/text/nearest.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -41,9 +41,7 @@ std::vector<std::string> misconceptionsOf(const Manifest& manifest) {
 void checkKnown(const std::string& name, const char* what, const std::vector<std::string>& known,
                 const std::string& shown) {
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
-  const std::string guess = didYouMean(name, known);
-  fail(shown, fmt::format("no {} '{}' in exercise.toml{}", what, name,
-                          guess.empty() ? fmt::format("; there are {}", fmt::join(known, ", ")) : guess));
+  fail(shown, fmt::format("no {} '{}' in exercise.toml{}", what, name, suggestion(name, known)));
 }
 
 std::set<std::string> readSuites(const std::string& list, const std::string& shown, const Manifest& manifest) {

@@ -1,5 +1,7 @@
 #include "grader/matrix/matrix_text.h"
 
+#include "base/text/escape.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
@@ -136,13 +138,6 @@ std::string mutantsText(const TopicMatrix& matrix) {
   for (const Mutant& mutant : matrix.mutants) text += mutantText(mutant);
   for (const std::string& stale : matrix.staleSurvivors) text += "  ! " + stale + "\n";
   return text;
-}
-
-std::string csvField(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
 }
 
 std::string csvLine(const std::vector<std::string>& fields) {

@@ -1,6 +1,6 @@
+#include "base/file.h"
 #include "grader/matrix/matrix.h"
 #include "grader/record.h"
-#include "harness/file.h"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -2,8 +2,8 @@
 /// \file
 /// MUELLE_FUNCTIONS for the reference run of a demo: submission::f is the oracle's f.
 
+#include "course/testing/struct_fields.h"
 #include "harness/for_each.h"
-#include "harness/testing/struct_fields.h"
 
 #define MUELLE_ORACLE_FUNCTION_(function)                                                  \
   namespace oracle {                                                                       \

@@ -3,13 +3,13 @@
 /// MUELLE_FUNCTIONS for the hidden tests: submission::f(args) is a call to the sandboxed worker, oracle::f is declared
 /// with the contract's signature, and every call is kept for the diagnosis of misconceptions.
 
-#include "grader/remote/call_history.h"
+#include "course/testing/print_value.h"
 #include "grader/remote/fault.h"
 #include "grader/remote/session.h"
+#include "grader/testing/call_history.h"
 #include "grader/wire/codec.h"
 #include "grader/wire/signature.h"
 #include "harness/for_each.h"
-#include "harness/testing/print_value.h"
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 #include "grader/remote/session.h"
 
+#include "course/check/eigen_message.h"
 #include "grader/remote/fault.h"
-#include "harness/check/eigen_message.h"
 
 #include <fmt/format.h>
 #include <random>

@@ -1,8 +1,8 @@
 #pragma once
+#include "course/testing/random.h"
 #include "grader/remote/fault.h"
 #include "grader/remote/worker_process.h"
 #include "grader/wire/frame.h"
-#include "harness/testing/random.h"
 
 #include <functional>
 #include <memory>

@@ -1,5 +1,5 @@
 #pragma once
-#include "grader/process/child.h"
+#include "base/process/child.h"
 #include "grader/sandbox/sandbox.h"
 #include "grader/wire/frame.h"
 

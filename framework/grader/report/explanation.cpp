@@ -1,6 +1,6 @@
 #include "grader/report/explanation.h"
 
-#include "grader/text/printable.h"
+#include "base/text/printable.h"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "grader/report/format.h"
 
-#include "grader/text/printable.h"
+#include "base/text/printable.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

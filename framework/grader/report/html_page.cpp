@@ -1,7 +1,7 @@
+#include "base/text/escape.h"
 #include "grader/report/format.h"
 #include "grader/report/page_style.h"
 #include "grader/report/report.h"
-#include "grader/text/escape.h"
 
 #include <fmt/format.h>
 #include <algorithm>

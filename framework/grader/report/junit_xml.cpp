@@ -1,6 +1,6 @@
+#include "base/text/escape.h"
 #include "grader/report/format.h"
 #include "grader/report/report.h"
-#include "grader/text/escape.h"
 
 #include <fmt/format.h>
 

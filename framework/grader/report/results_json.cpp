@@ -1,8 +1,8 @@
 // Gradescope's results.json: https://gradescope-autograders.readthedocs.io/en/latest/specs/
 
+#include "base/text/printable.h"
 #include "grader/report/format.h"
 #include "grader/report/report.h"
-#include "grader/text/printable.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
+#include "base/text/printable.h"
+#include "base/text/utf8.h"
 #include "grader/report/format.h"
 #include "grader/report/report.h"
-#include "grader/text/printable.h"
-#include "grader/text/utf8.h"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "grader/report/report.h"
 
-#include "harness/file.h"
+#include "base/file.h"
 
 #include <fmt/format.h>
 #include <stdexcept>

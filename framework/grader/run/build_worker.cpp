@@ -1,11 +1,11 @@
 #include "grader/run/build_worker.h"
 
+#include "base/build_paths.h"
+#include "base/file.h"
+#include "course/check/diagnostics.h"
 #include "grader/record.h"
 #include "grader/run/digest.h"
 #include "grader/run/shared_prelude.h"
-#include "harness/build_paths.h"
-#include "harness/check/diagnostics.h"
-#include "harness/file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

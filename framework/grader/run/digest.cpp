@@ -1,7 +1,7 @@
 #include "grader/run/digest.h"
 
+#include "base/file.h"
 #include "grader/record.h"
-#include "harness/file.h"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>

@@ -1,8 +1,8 @@
 #include "grader/run/grade.h"
 
+#include "base/file.h"
 #include "grader/record.h"
 #include "grader/run/time_out_marks.h"
-#include "harness/file.h"
 
 #include <fmt/format.h>
 #include <cstdlib>

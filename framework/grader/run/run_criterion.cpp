@@ -1,8 +1,8 @@
 #include "grader/run/run_criterion.h"
 
+#include "base/file.h"
 #include "grader/record.h"
 #include "grader/run/digest.h"
-#include "harness/file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -54,8 +54,12 @@ Verdict runHiddenProgram(const Workplace& workplace, const Manifest& manifest, c
   broken.topic = manifest.topic;
   broken.suite = suite;
   try {
-    const CommandResult result =
-        runCommand({command, {}, {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8"}, {}, {}}, processLimit, 65536, 65536);
+    ChildSpec spec;
+    spec.command = command;
+    spec.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8"};
+    Capture capture;
+    capture.limit = processLimit;
+    const CommandResult result = runCommand(spec, capture);
     if (const auto verdict = readRecord(file); verdict && verdict->topic == manifest.topic && verdict->suite == suite) {
       return *verdict;
     }

@@ -8,9 +8,9 @@
 ///
 /// The exit status tells CTest and a reader of its log; points come from the records alone.
 
+#include "base/file.h"
 #include "grader/record.h"
 #include "grader/run/grade.h"
-#include "harness/file.h"
 
 #include <fmt/format.h>
 #include <algorithm>

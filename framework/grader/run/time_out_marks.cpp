@@ -1,7 +1,7 @@
 #include "grader/run/time_out_marks.h"
 
+#include "base/file.h"
 #include "grader/record.h"
-#include "harness/file.h"
 
 namespace muelle::grader {
 

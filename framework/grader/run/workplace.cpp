@@ -1,6 +1,6 @@
 #include "grader/run/workplace.h"
 
-#include "harness/build_paths.h"
+#include "base/build_paths.h"
 
 namespace muelle::grader {
 

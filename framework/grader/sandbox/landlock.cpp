@@ -1,8 +1,8 @@
 #include "grader/sandbox/landlock.h"
 
+#include "base/build_paths.h"
 #include "grader/sandbox/handover.h"
 #include "grader/sandbox/staging.h"
-#include "harness/build_paths.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -63,7 +63,7 @@ Child Sandbox::start(const Confinement& confinement) const {
 CommandResult Sandbox::run(const Confinement& confinement, std::chrono::milliseconds limit, std::size_t outBytes,
                            std::size_t errBytes) const {
   const Prepared prepared = prepare(confinement);
-  return runCommand(prepared.spec, limit, outBytes, errBytes);
+  return runCommand(prepared.spec, {limit, outBytes, errBytes, 0, false});
 }
 
 unsigned unassignedUserId() {

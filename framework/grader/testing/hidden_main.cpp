@@ -2,15 +2,15 @@
 /// The main of every hidden test program: grades one criterion and writes its record, or draws the demo's curves.
 /// No code of a student is ever loaded here; submission::f is a call to a worker.
 
-#include "grader/process/core_pin.h"
+#include "course/testing/random.h"
+#include "figures/write.h"
 #include "grader/record.h"
-#include "grader/remote/call_history.h"
+#include "grader/remote/core_pin.h"
 #include "grader/remote/fault.h"
 #include "grader/run/time_out_marks.h"
 #include "grader/sandbox/sandbox.h"
+#include "grader/testing/call_history.h"
 #include "grader/testing/recorder.h"
-#include "harness/figure.h"
-#include "harness/testing/random.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

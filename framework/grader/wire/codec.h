@@ -4,8 +4,8 @@
 /// structs. `encode(writer, value)` and `decode(reader, value)`; decode throws WireError and allocates nothing that the
 /// message does not pay for.
 
+#include "course/testing/struct_fields.h"
 #include "grader/wire/bytes.h"
-#include "harness/testing/struct_fields.h"
 #include "harness/types.h"
 
 #include <Eigen/SparseCore>

@@ -3,7 +3,7 @@
 /// an error estimate that follows the error, a report instead of numbers that are not finite, and no allocation.
 
 #include "engine/integrators/explicit/methods.h"
-#include "harness/allocation_count.h"
+#include "support/allocation_count.h"
 #include "support/linear_system.h"
 
 #include <gtest/gtest.h>

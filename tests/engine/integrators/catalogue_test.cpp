@@ -1,7 +1,7 @@
 #include "engine/integrators/catalogue.h"
 
+#include "base/file.h"
 #include "engine/integrators/methods_page.h"
-#include "harness/file.h"
 
 #include <gtest/gtest.h>
 

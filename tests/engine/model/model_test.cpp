@@ -1,6 +1,6 @@
 #include "sample_models.h"
 
-#include "harness/allocation_count.h"
+#include "support/allocation_count.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

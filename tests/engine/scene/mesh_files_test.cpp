@@ -1,5 +1,5 @@
+#include "base/file.h"
 #include "engine/scene/mesh_file.h"
-#include "harness/file.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

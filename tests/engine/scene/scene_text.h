@@ -1,6 +1,6 @@
 #pragma once
+#include "base/file.h"
 #include "engine/scene/scene.h"
-#include "harness/file.h"
 
 #include <gtest/gtest.h>
 #include <string>

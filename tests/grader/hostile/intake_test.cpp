@@ -6,9 +6,9 @@
 #include "surroundings.h"
 #include "tools.h"
 
+#include "base/build_paths.h"
+#include "base/file.h"
 #include "grader/record.h"
-#include "harness/build_paths.h"
-#include "harness/file.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include "grading.h"
 #include "surroundings.h"
 
-#include "harness/build_paths.h"
+#include "base/build_paths.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "surroundings.h"
 
-#include "harness/build_paths.h"
+#include "base/build_paths.h"
 
 #include <sys/prctl.h>
 #include <sys/stat.h>

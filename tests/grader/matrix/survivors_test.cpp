@@ -1,7 +1,7 @@
 #include "grader/matrix/survivors.h"
 
+#include "base/file.h"
 #include "grader/record.h"
-#include "harness/file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,7 +1,7 @@
 /// \file
 /// Two submissions graded at the same time in one build tree do not disturb each other.
 
-#include "grader/process/child.h"
+#include "base/process/child.h"
 #include "grader/run/grade.h"
 
 #include <gtest/gtest.h>

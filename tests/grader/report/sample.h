@@ -1,6 +1,8 @@
 #pragma once
 #include "grader/verdict.h"
 
+#include "support/hostile_texts.h"
+
 #include <string>
 #include <vector>
 
@@ -19,10 +21,6 @@ GradedExercise with(GradedExercise exercise, const Verdict& verdict);
 /// One submission with an exercise in every state: passed, partial, failed with a misconception, a crash, missing,
 /// not compiling.
 GradedSubmission sampleSubmission();
-
-/// Texts that act when they are not shown as text: markup, scripts, terminal escapes, formulas, bytes that are no
-/// UTF-8.
-const std::vector<std::string>& hostileTexts();
 
 /// A submission with the text in every place that a submission can reach.
 GradedSubmission hostileSubmission(const std::string& text);

@@ -1,5 +1,5 @@
+#include "base/text/utf8.h"
 #include "grader/report/report.h"
-#include "grader/text/utf8.h"
 #include "sample.h"
 
 #include <gtest/gtest.h>

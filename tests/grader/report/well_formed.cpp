@@ -1,6 +1,6 @@
 #include "well_formed.h"
 
-#include "grader/text/utf8.h"
+#include "base/text/utf8.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 /// No student's code in a process that knows an expected value, and no expected value in a process that runs a
 /// student's code: read off the symbols of the built programs.
 
-#include "grader/process/child.h"
+#include "base/process/child.h"
 
 #include <gtest/gtest.h>
 

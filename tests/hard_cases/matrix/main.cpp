@@ -1,9 +1,10 @@
 /// \file
 /// The program behind `muelle hard-cases`: every method on every hard case.
 
-#include "harness/file.h"
-#include "harness/progress_bar.h"
-#include "harness/text/printable.h"
+#include "base/file.h"
+#include "base/progress_bar.h"
+#include "base/text/printable.h"
+#include "figures/write.h"
 #include "matrix/matrix.h"
 
 #include <fmt/format.h>
@@ -71,7 +72,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "muelle: {}\n", muelle::printable(error.what()));
+    fmt::print(stderr, "muelle: {}\n", muelle::printableLine(error.what()));
     return 2;
   }
 }

@@ -1,7 +1,7 @@
 #include "matrix/matrix.h"
 
+#include "base/text/nearest.h"
 #include "engine/integrators/catalogue.h"
-#include "harness/text/nearest.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -20,9 +20,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 void refuseUnknown(const std::vector<std::string>& asked, const std::vector<std::string>& known, const char* what) {
   for (const std::string& name : asked) {
     if (std::ranges::find(known, name) != known.end()) continue;
-    const std::string guess = didYouMean(name, known);
-    throw std::invalid_argument(fmt::format(
-        "no {} '{}'{}", what, name, guess.empty() ? fmt::format("; there are {}", fmt::join(known, ", ")) : guess));
+    throw std::invalid_argument(fmt::format("no {} '{}'{}", what, name, suggestion(name, known)));
   }
 }
 

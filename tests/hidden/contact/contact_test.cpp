@@ -1,10 +1,10 @@
 #include "contact.h"
 
+#include "course/testing/expect.h"
+#include "course/testing/random.h"
 #include "harness/function_system.h"
 #include "harness/simulate.h"
 #include "harness/symplectic_euler.h"
-#include "harness/testing/expect.h"
-#include "harness/testing/random.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 #include "contact.h"
 
-#include "grader/remote/mistakes.h"
+#include "grader/testing/mistakes.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 /// \file
 /// What the usual mistakes would return: each is a whole function, so that all calls of a criterion must agree with it.
 
-#include "grader/remote/mistakes.h"
+#include "grader/testing/mistakes.h"
 
 #include <limits>
 #include "energy_gradient.h"

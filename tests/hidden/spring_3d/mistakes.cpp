@@ -1,6 +1,6 @@
 #include "spring_3d.h"
 
-#include "grader/remote/mistakes.h"
+#include "grader/testing/mistakes.h"
 
 #include <limits>
 

@@ -1,0 +1,127 @@
+/// \file
+/// `muelle run`: reads its command line, has the engine run a scene, prints the summary.
+
+#include "base/build_paths.h"
+#include "base/errors.h"
+#include "base/text/printable.h"
+#include "engine/integrators/catalogue.h"
+#include "engine/scene/run_scene.h"
+#include "engine/scene/scene_figures.h"
+#include "figures/write.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace muelle::engine;
+
+struct Command {
+  std::string scene;
+  RunOverrides overrides;
+  std::string out;
+  bool plot = false;
+  bool csv = false;
+  bool list = false;
+  bool methods = false;
+  bool noErrorEstimate = false;
+};
+
+fs::path sceneFolder() { return fs::path(muelle::build_paths::source) / "framework" / "engine" / "scenes"; }
+
+int listScenesWithTitles() {
+  for (const fs::path& file : listScenes(sceneFolder())) {
+    const Scene scene = readScene(file);
+    fmt::print("{:<24} {}\n{:<24} {}\n{:<24} (slide: {})\n", scene.name, scene.title, "", scene.shows, "", scene.slide);
+  }
+  return 0;
+}
+
+int listMethods() {
+  for (const std::string& id : methodIds()) {
+    const MethodInfo& info = methodInfo(id);
+    fmt::print("{:<28} order {:<2} {}\n", id, info.order, info.name);
+  }
+  return 0;
+}
+
+void writeResults(const Command& command, const Scene& scene, const SceneRun& run) {
+  if (!command.plot && !command.csv) return;
+  const fs::path folder = command.out.empty() ? fs::path("out") / scene.name : fs::path(command.out);
+  fs::create_directories(folder);
+  if (command.plot) {
+    const std::vector<muelle::Figure> figures = figuresOf(scene, run);
+    muelle::writeFigures(figures, folder);
+    for (const muelle::Figure& figure : figures) {
+      fmt::print("  {:<11} {}\n", "figure", (folder / (figure.id() + ".svg")).string());
+    }
+  }
+  if (command.csv) {
+    const fs::path file = folder / (scene.name + ".csv");
+    muelle::writeCsv(trajectoryOf(run), file);
+    fmt::print("  {:<11} {}\n", "table", file.string());
+  }
+}
+
+int run(const Command& command) {
+  if (command.list) return listScenesWithTitles();
+  if (command.methods) return listMethods();
+  if (command.scene.empty()) throw std::invalid_argument("SCENE is missing; ./muelle run --list names them");
+  const Scene scene = applied(readScene(findScene(command.scene, sceneFolder())), command.overrides);
+  SceneRun result = runScene(scene, scene.name);
+  if (!command.noErrorEstimate && !result.result.failed()) {
+    result.error = estimateError(scene, result, scene.name + ", error");
+  }
+  fmt::print("{}", summaryOf(scene, result));
+  writeResults(command, scene, result);
+  if (!result.result.failed()) return 0;
+  std::fflush(stdout);
+  fmt::print(stderr, "muelle: {}: {}\n", scene.name, muelle::printableLine(result.result.trajectory.stop.message));
+  return 1;
+}
+
+int parseAndRun(int argc, char** argv) {
+  Command command;
+  CLI::App app("Simulates a scene and says what it cost and how far it is off.", "./muelle run");
+  app.add_option("SCENE", command.scene, "A scene by its name (--list), or a file SCENE.toml");
+  app.add_option("--integrator", command.overrides.method, "The method, by its id (--methods) [the scene's]");
+  app.add_option("--dt", command.overrides.step, "Fixed step [s] [the scene's]");
+  app.add_option("--tolerance", command.overrides.tolerance,
+                 "Relative tolerance of a method with an error estimate [the scene's]");
+  app.add_option("--duration", command.overrides.duration, "Time to simulate [s] [the scene's]");
+  app.add_option("--output-interval", command.overrides.outputInterval, "Time between outputs [s] [the scene's]");
+  app.add_flag("--no-events", command.overrides.noEvents, "Step over contacts and jumps instead of ending steps there");
+  app.add_flag("--compensated", command.overrides.compensated, "Compensated summation, for long runs");
+  app.add_flag("--no-error-estimate", command.noErrorEstimate,
+               "Leave out the second run, with half the step, that costs twice the first");
+  app.add_flag("--plot", command.plot, "Draw energy, outputs, shape and paths");
+  app.add_flag("--csv", command.csv, "Write the trajectory as a table, nodes as the scene numbers them");
+  app.add_option("--out", command.out, "Folder for figures and table [out/SCENE]");
+  app.add_flag("--list", command.list, "Name the scenes, run none");
+  app.add_flag("--methods", command.methods, "Name the methods, run none");
+  app.footer(
+      "Exit code: 0 done; 1 the run failed before its end; 2 bad usage or input.\n"
+      "Examples: ./muelle run oscillator --plot\n"
+      "          ./muelle run corner_hung_cloth --integrator velocity_verlet --dt 1e-4\n"
+      "          ./muelle run elastic_pendulum --integrator dop853 --tolerance 1e-12 --csv --out results\n"
+      "          ./muelle run my_scene.toml");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // Calls for help are "errors" too, with exit code 0.
+    if (error.get_exit_code() == 0) return app.exit(error);
+    throw std::invalid_argument(fmt::format("{} (see ./muelle run --help)", error.what()));
+  }
+  return run(command);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return muelle::withErrorsOnOneLine([=] { return parseAndRun(argc, argv); });
+}

@@ -1,0 +1,102 @@
+#include "app/commands.h"
+#include "base/file.h"
+#include "base/progress_bar.h"
+#include "grader/matrix/matrix_text.h"
+#include "grader/record.h"
+
+#include <fmt/format.h>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace muelle::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// One seed for all runs, so that a row is the same today and tomorrow; --seed tries other inputs.
+constexpr const char* usualSeed = "tests of the tests";
+
+struct MatrixCommand {
+  std::vector<std::string> topics;
+  std::string csv;
+  std::string seed = usualSeed;
+  std::string sandbox = "auto";
+  bool noMutants = false;
+  bool fresh = false;
+  int mutantsEvery = 1;
+  int jobs = 2;
+};
+
+/// The exercises that were asked for, else those that have submissions.
+std::vector<Manifest> chosen(const MatrixCommand& command, const grader::Workplace& workplace) {
+  const std::vector<Manifest> course = readCourse(workplace.exercises());
+  std::vector<Manifest> manifests;
+  for (const std::string& topic : command.topics) manifests.push_back(findExercise(course, topic));
+  if (!command.topics.empty()) return manifests;
+  for (const Manifest& manifest : course) {
+    if (fs::exists(workplace.source / "tests" / "submissions" / manifest.topic)) manifests.push_back(manifest);
+  }
+  return manifests;
+}
+
+int testTheTests(const MatrixCommand& command) {
+  const auto start = std::chrono::steady_clock::now();
+  const grader::Workplace workplace = grader::Workplace::ofThisBuild();
+  grader::MatrixOptions options;
+  options.grading.seed = command.seed;
+  options.grading.sandbox = grader::parseSandboxChoice(command.sandbox);
+  options.grading.fresh = command.fresh;
+  options.mutants = !command.noMutants;
+  options.mutantsEvery = command.mutantsEvery;
+  options.jobs = command.jobs;
+  std::vector<grader::TopicMatrix> matrices;
+  for (const Manifest& manifest : chosen(command, workplace)) {
+    matrices.push_back(grader::planMatrix(workplace, manifest, options));
+  }
+  {
+    ProgressBar bar("grading submissions and mutants");
+    grader::runMatrix(workplace, matrices, options, [&bar](double fraction) { bar.update(fraction); });
+  }
+  bool good = true;
+  for (const grader::TopicMatrix& matrix : matrices) {
+    fmt::print("{}\n", grader::matrixText(matrix));
+    good = good && matrix.good();
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  fmt::print("{}{}time                      {:.0f} s\n", grader::summaryText(grader::summarise(matrices)),
+             command.mutantsEvery > 1 ? fmt::format("mutants                   one in {}\n", command.mutantsEvery) : "",
+             seconds);
+  if (!command.csv.empty()) muelle::writeFile(command.csv, grader::matrixCsv(matrices));
+  return good ? 0 : 1;
+}
+
+}  // namespace
+
+void addTestTheTests(CLI::App& app, int& status) {
+  const auto options = std::make_shared<MatrixCommand>();
+  CLI::App* command = app.add_subcommand(
+      "test-the-tests", "Grade submissions of known worth and mutants of the solutions: the kill matrix");
+  command->add_option("TOPIC", options->topics, "Only these exercises [all that have submissions]");
+  command->add_flag("--no-mutants", options->noMutants, "Only the submissions of tests/submissions");
+  command
+      ->add_option("--mutants-every", options->mutantsEvery,
+                   "One mutant in so many, and those of mutants.toml [1: all]")
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--jobs,-j", options->jobs, "Submissions at a time [2]")->check(CLI::Range(1, 256));
+  command->add_option("--csv", options->csv, "Also write every verdict to this file");
+  command->add_option("--seed", options->seed, "Other random inputs than the usual ones");
+  command->add_option("--sandbox", options->sandbox, "auto, bubblewrap, landlock or unsafe [auto]");
+  command->add_flag("--fresh", options->fresh, "Grade again what has been graded before");
+  command->footer(
+      "x lost, . passed, ! otherwise than its first line states. Exit code: 0 when every row is exact and every\n"
+      "surviving mutant has its reason in tests/submissions/TOPIC/mutants.toml, else 1.\n"
+      "Example: ./muelle test-the-tests spring_3d --no-mutants");
+  command->callback([options, &status] { status = testTheTests(*options); });
+}
+
+}  // namespace muelle::app

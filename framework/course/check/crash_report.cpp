@@ -1,0 +1,182 @@
+#include "course/check/crash_report.h"
+
+#include "course/testing/call_record.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <unistd.h>
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+
+namespace muelle {
+
+namespace {
+
+constexpr int reportDescriptor = 3;
+constexpr long tickMilliseconds = 100;
+constexpr long callLimitMilliseconds = 2000;
+
+int report = STDERR_FILENO;
+char alternateStack[65536];
+std::uintptr_t stackTop = 0;
+std::uintptr_t stackLimit = 0;
+
+/// Collects a line without allocating: a signal handler calls it.
+class Line {
+ public:
+  Line& operator<<(const char* text) {
+    for (; *text != '\0' && used_ < sizeof text_ - 1; ++text) text_[used_++] = *text == '\n' ? ' ' : *text;
+    return *this;
+  }
+  void send() {
+    text_[used_++] = '\n';
+    writeReport({text_, used_});
+  }
+
+ private:
+  char text_[1024];
+  std::size_t used_ = 0;
+};
+
+const char* runningFunction() {
+  return CallRecord::current() != nullptr ? CallRecord::current()->function() : "the program";
+}
+
+/// Writes the report of a crash and ends the process.
+[[noreturn]] void sendAndEnd(const char* subject, const char* sentence) {
+  Line line;
+  line << "crash\t" << subject << sentence;
+  line.send();
+  // The call that did it; setLastCall() was complete before the call began.
+  if (CallRecord::current() != nullptr && CallRecord::printsArguments()) {
+    Line call;
+    call << "call\t" << CallRecord::lastCall().c_str();
+    call.send();
+  }
+  _exit(1);
+}
+
+/// A sentence about the student's function that runs.
+[[noreturn]] void sendAndEnd(const char* sentence) {
+  static char subject[200];
+  std::strncat(subject, runningFunction(), sizeof subject - 2);
+  std::strncat(subject, " ", 2);
+  sendAndEnd(subject, sentence);
+}
+
+/// A fault just below the stack's end is an overflow; a big local variable may jump over the guard page by far.
+bool isBelowStack(const void* address) {
+  const auto at = reinterpret_cast<std::uintptr_t>(address);
+  constexpr std::uintptr_t slack = 1U << 20U;
+  const std::uintptr_t end = stackTop - stackLimit;
+  return at < end + slack && at + 16 * slack > end;
+}
+
+void onSignal(int signal, siginfo_t* info, void*) {
+  switch (signal) {
+    case SIGSEGV:
+    case SIGBUS:
+      sendAndEnd(isBelowStack(info->si_addr) ? "called itself without end: stack overflow"
+                                             : "used memory that is not its own: an index or a pointer is wrong");
+    case SIGFPE:
+      sendAndEnd("divided an integer by zero");
+    case SIGILL:
+    case SIGTRAP:
+      sendAndEnd("ran into nowhere: does every way through it return a value?");
+    default:
+      sendAndEnd("aborted");
+  }
+}
+
+/// Counts how long the innermost call has lasted.
+void onTick(int) {
+  static long seenCount = -1;
+  static long lasted = 0;
+  const bool sameCall = CallRecord::current() != nullptr && CallRecord::count() == seenCount;
+  lasted = sameCall ? lasted + tickMilliseconds : 0;
+  seenCount = CallRecord::count();
+  if (lasted >= callLimitMilliseconds) sendAndEnd("did not return within 2 s");
+}
+
+void onTerminate() {
+  static char sentence[600] = "threw an exception that nobody caught";
+  if (const std::exception_ptr exception = std::current_exception()) {
+    try {
+      std::rethrow_exception(exception);
+    } catch (const EigenMisuse& error) {
+      sendAndEnd("", error.what());
+    } catch (const std::exception& error) {
+      std::strncat(sentence, ": ", 3);
+      std::strncat(sentence, error.what(), 500);
+    } catch (...) {
+      std::strncat(sentence, " and that is no std::exception", 40);
+    }
+  }
+  sendAndEnd(sentence);
+}
+
+void onExit() {
+  if (CallRecord::current() != nullptr) sendAndEnd("called exit(): a function must return");
+}
+
+void handle(int signal, void (*handler)(int, siginfo_t*, void*)) {
+  struct sigaction action {};
+  action.sa_sigaction = handler;
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+  sigaction(signal, &action, nullptr);
+}
+
+void startClock() {
+  struct sigaction action {};
+  action.sa_handler = onTick;
+  action.sa_flags = SA_ONSTACK | SA_RESTART;
+  sigaction(SIGALRM, &action, nullptr);
+  const timeval tick{0, tickMilliseconds * 1000};
+  const itimerval timer{tick, tick};
+  setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+}  // namespace
+
+void writeReport(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = write(report, text.data(), text.size());
+    if (count < 0 && errno != EINTR) return;
+    if (count > 0) text.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+void watchForCrashes() {
+  if (fcntl(reportDescriptor, F_GETFD) >= 0) {
+    report = reportDescriptor;
+    // gnuplot, which a demo starts, must not hold the report open.
+    fcntl(reportDescriptor, F_SETFD, FD_CLOEXEC);
+  }
+  rlimit limit{};
+  constexpr std::uintptr_t usual = 8U << 20U;
+  const bool known = getrlimit(RLIMIT_STACK, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  stackLimit = known ? static_cast<std::uintptr_t>(limit.rlim_cur) : usual;
+  stackTop = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
+
+  stack_t stack{};
+  stack.ss_sp = alternateStack;
+  stack.ss_size = sizeof alternateStack;
+  sigaltstack(&stack, nullptr);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT}) handle(signal, onSignal);
+  std::set_terminate(onTerminate);
+  // The call records exist before a handler asks for them, and longer than it may ask.
+  CallRecord::setLastCall("");
+  CallRecord::count() = 0;
+  CallRecord::current() = nullptr;
+  CallRecord::printsArguments() = true;
+  std::atexit(onExit);
+  startClock();
+}
+
+}  // namespace muelle

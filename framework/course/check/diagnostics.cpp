@@ -1,0 +1,271 @@
+#include "course/check/diagnostics.h"
+
+#include "base/text/printable.h"
+#include "course/check/explanations.h"
+#include "course/check/plain_types.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+namespace muelle {
+
+namespace {
+
+bool has(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
+
+/// Takes the first line off the text, without its end.
+std::string_view takeLine(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return line;
+}
+
+std::string_view baseName(std::string_view path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string_view::npos ? path : path.substr(slash + 1);
+}
+
+struct Location {
+  std::string_view file;
+  int line = 0;
+  int column = 0;
+};
+
+/// Takes ":12" off the end of the text.
+std::optional<int> takeNumber(std::string_view& text) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string_view::npos || colon + 1 == text.size()) return std::nullopt;
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data() + colon + 1, text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  text = text.substr(0, colon);
+  return number;
+}
+
+/// "dir/file.cpp:12:5", "dir/file.cpp:12", "cc1plus".
+Location readLocation(std::string_view text) {
+  Location location;
+  const std::optional<int> last = takeNumber(text);
+  const std::optional<int> first = last ? takeNumber(text) : std::nullopt;
+  location.file = baseName(text);
+  location.line = first ? *first : last.value_or(0);
+  location.column = first ? *last : 0;
+  return location;
+}
+
+enum class Kind { Error, Warning, Note };
+
+struct Statement {
+  Kind kind;
+  Location location;
+  std::string_view message;
+};
+
+/// "file:12:5: error: message", or nothing.
+std::optional<Statement> readStatement(std::string_view line) {
+  static constexpr std::pair<std::string_view, Kind> words[] = {{": fatal error: ", Kind::Error},
+                                                                {": error: ", Kind::Error},
+                                                                {": warning: ", Kind::Warning},
+                                                                {": note: ", Kind::Note}};
+  for (const auto& [word, kind] : words) {
+    const std::size_t at = line.find(word);
+    if (at == std::string_view::npos || line.starts_with(' ')) continue;
+    return Statement{kind, readLocation(line.substr(0, at)), line.substr(at + word.size())};
+  }
+  return std::nullopt;
+}
+
+/// "no match for 'operator-' in 'a - (long template) b' (operand types ...": the line of source says the middle better.
+std::string withoutExpression(std::string_view message) {
+  const std::size_t in = message.find("' in '");
+  const std::size_t operands = message.rfind(" (operand type");
+  const bool isOperator = has(message, "no match for 'operator") && in != std::string_view::npos &&
+                          operands != std::string_view::npos && in < operands;
+  if (!isOperator) return std::string(message);
+  return std::string(message.substr(0, in + 1)) + std::string(message.substr(operands));
+}
+
+/// Reads the compiler's text once from top to bottom.
+class Reader {
+ public:
+  explicit Reader(const std::vector<StudentFile>& files) : files_(files) {}
+
+  void read(std::string_view text) {
+    while (!text.empty()) readLine(takeLine(text));
+  }
+
+  /// Errors, else warnings; one for each of the student's lines, because what follows on a line follows from it.
+  std::vector<Diagnostic> result() const {
+    const bool anyError = std::ranges::any_of(found_, &Diagnostic::isError);
+    std::vector<Diagnostic> kept;
+    for (const Diagnostic& diagnostic : found_) {
+      const bool isRepeated = std::ranges::any_of(
+          kept, [&](const Diagnostic& d) { return d.file == diagnostic.file && d.line == diagnostic.line; });
+      if (diagnostic.isError == anyError && !isRepeated) kept.push_back(diagnostic);
+    }
+    return kept;
+  }
+
+  /// The first error that stands in no line of the student's; "" when there is none.
+  const std::string& foreignError() const { return foreignError_; }
+
+ private:
+  const StudentFile* studentFile(std::string_view name) const {
+    const auto found = std::ranges::find(files_, name, &StudentFile::name);
+    return found == files_.end() ? nullptr : &*found;
+  }
+
+  void readLine(std::string_view line) {
+    if (has(line, ": In instantiation of '") || has(line, ": In substitution of '")) {
+      context_.reset();
+      mixed_ = matrixNamesIn(line);
+    } else if (has(line, "   required from here") || has(line, ":   required by substitution")) {
+      const Location location = readLocation(line.substr(0, line.find(":   required")));
+      if (studentFile(location.file) != nullptr) context_ = location;
+    } else if (const std::optional<Statement> statement = readStatement(line)) {
+      take(*statement);
+    }
+  }
+
+  void take(const Statement& statement) {
+    if (statement.kind == Kind::Note) return takeNote(statement);
+    const bool isStudents = studentFile(statement.location.file) != nullptr;
+    const bool isError = statement.kind == Kind::Error;
+    if (!isStudents && !context_) {
+      // A warning outside of the student's file is none of theirs.
+      if (isError && foreignError_.empty()) {
+        foreignError_ = fmt::format("{}:{}: error: {}", statement.location.file, statement.location.line,
+                                    withPlainTypes(statement.message));
+      }
+      return;
+    }
+    const Location place = isStudents ? statement.location : *context_;
+    Diagnostic diagnostic{isError,
+                          std::string(place.file),
+                          place.line,
+                          place.column,
+                          withPlainTypes(withoutExpression(statement.message)),
+                          explainMessage(statement.message, mixed_)};
+    if (has(statement.message, "expected")) explainSemicolon(statement.message, diagnostic);
+    shorten(diagnostic);
+    found_.push_back(diagnostic);
+  }
+
+  /// Notes that say where the other half of a contradiction stands.
+  void takeNote(const Statement& statement) {
+    if (found_.empty()) return;
+    Diagnostic& diagnostic = found_.back();
+    if (has(statement.message, "previously defined here") || has(statement.message, "previous definition")) {
+      diagnostic.explanation += fmt::format(" (the first stands in line {})", statement.location.line);
+    }
+    if (has(statement.message, "old declaration '") && has(diagnostic.message, "ambiguating new declaration")) {
+      const std::string plain = withPlainTypes(statement.message);
+      const std::size_t open = plain.find('\'') + 1;
+      diagnostic.explanation += fmt::format(": {}", plain.substr(open, plain.rfind('\'') - open));
+    }
+  }
+
+  /// The compiler points at the word before which a semicolon is missing, often the first of the next line.
+  void explainSemicolon(std::string_view message, Diagnostic& diagnostic) const {
+    if (!has(message, "';' before") && !has(message, "expected ';'") && !has(message, "expected initializer before"))
+      return;
+    const StudentFile* file = studentFile(diagnostic.file);
+    std::string_view text = file->text;
+    std::string_view line;
+    int lastFilled = 0;
+    for (int number = 1; number <= diagnostic.line && !text.empty(); ++number) {
+      line = takeLine(text);
+      const bool isFilled = line.find_first_not_of(" \t\r}") != std::string_view::npos;
+      if (number < diagnostic.line && isFilled) lastFilled = number;
+    }
+    const std::size_t start = std::min(line.find_first_not_of(" \t"), line.size());
+    const bool pointsAtStart = static_cast<std::size_t>(std::max(diagnostic.column, 1)) <= start + 1;
+    diagnostic.explanation = pointsAtStart && lastFilled > 0
+                                 ? fmt::format("a semicolon is missing, most likely at the end of line {}", lastFilled)
+                                 : "a semicolon is missing, most likely here";
+  }
+
+  /// What Eigen shouts, in words; and no message longer than a few lines.
+  static void shorten(Diagnostic& diagnostic) {
+    const std::string_view shout = "static assertion failed: ";
+    if (diagnostic.message.starts_with(shout) && !diagnostic.explanation.empty()) {
+      diagnostic.message = diagnostic.explanation;
+      diagnostic.explanation.clear();
+    }
+    constexpr std::size_t longest = 300;
+    if (diagnostic.message.size() > longest) diagnostic.message = diagnostic.message.substr(0, longest) + " ...";
+  }
+
+  const std::vector<StudentFile>& files_;
+  std::optional<Location> context_;  ///< the student's line that led into the template at fault
+  std::vector<std::string> mixed_;   ///< the plain types in the name of that template
+  std::vector<Diagnostic> found_;
+  std::string foreignError_;
+};
+
+/// Line `number` of the text, from 1, and a caret below its column (in bytes).
+std::string sourceLine(std::string_view text, int number, int column) {
+  std::string_view line;
+  for (int i = 0; i < number; ++i) {
+    if (text.empty()) return "";
+    line = takeLine(text);
+  }
+  constexpr std::size_t longest = 160;
+  if (number < 1 || line.size() > longest) return "";
+  std::string shown(line);
+  std::string margin;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    if (shown[i] == '\t' || shown[i] == '\r') shown[i] = ' ';
+    const bool isContinuation = (static_cast<unsigned char>(shown[i]) & 0xC0U) == 0x80;
+    if (static_cast<int>(i) + 1 < column && !isContinuation) margin += ' ';
+  }
+  const std::string caret = column > 0 ? fmt::format("      | {}^\n", margin) : "";
+  return fmt::format("{:5} | {}\n{}", number, shown, caret);
+}
+
+}  // namespace
+
+std::vector<std::string> diagnosticFlags() {
+  return {"-fdiagnostics-color=never", "-fno-diagnostics-show-caret", "-fdiagnostics-column-unit=byte"};
+}
+
+std::vector<Diagnostic> parseDiagnostics(std::string_view compilerText, const std::vector<StudentFile>& files) {
+  Reader reader(files);
+  reader.read(compilerText);
+  return reader.result();
+}
+
+std::string showDiagnostics(const std::vector<Diagnostic>& diagnostics, const std::vector<StudentFile>& files,
+                            int limit) {
+  std::string text;
+  const std::size_t shown = std::min(diagnostics.size(), static_cast<std::size_t>(std::max(limit, 0)));
+  for (std::size_t i = 0; i < shown; ++i) {
+    const Diagnostic& d = diagnostics[i];
+    const std::string column = d.column > 0 ? fmt::format(":{}", d.column) : "";
+    text += fmt::format("{}:{}{}: {}: {}\n", d.file, d.line, column, d.isError ? "error" : "warning", d.message);
+    const auto file = std::ranges::find(files, d.file, &StudentFile::name);
+    if (file != files.end()) text += sourceLine(file->text, d.line, d.column);
+    if (!d.explanation.empty()) text += fmt::format("      = {}\n", d.explanation);
+  }
+  const std::size_t more = diagnostics.size() - shown;
+  if (more > 0 && shown > 0) {
+    text += diagnostics.front().isError
+                ? fmt::format("and {} more error{}, which may go away with the first\n", more, more == 1 ? "" : "s")
+                : fmt::format("and {} more warning{}\n", more, more == 1 ? "" : "s");
+  }
+  return printableText(text);
+}
+
+std::string cutDiagnostics(std::string_view compilerText, const std::vector<StudentFile>& files) {
+  Reader reader(files);
+  reader.read(compilerText);
+  const std::vector<Diagnostic> diagnostics = reader.result();
+  const bool anyError = std::ranges::any_of(diagnostics, &Diagnostic::isError);
+  if (anyError || reader.foreignError().empty()) return showDiagnostics(diagnostics, files);
+  return printableText(reader.foreignError()) + "\n";
+}
+
+}  // namespace muelle

@@ -1,0 +1,45 @@
+#pragma once
+#include "course/check/student_program.h"
+#include "course/manifest.h"
+
+#include <string>
+#include <vector>
+
+namespace muelle {
+
+/// A public test that failed.
+struct FailedTest {
+  std::string suite;  ///< a criterion's
+  std::string name;
+  std::string property;               ///< what the test asks for, in a sentence; "" when it says none
+  std::string call;                   ///< the call, to paste: "springForce(1, 0, 10, 1)"; "" when none was made
+  std::vector<std::string> messages;  ///< what was got and expected, or what the crash was
+};
+
+/// What the public tests say about a program.
+struct TestReport {
+  int total = 0;
+  int passed = 0;
+  std::vector<FailedTest> failures;  ///< in the order of the tests
+  std::string crash;   ///< why the program ended early; "" when it did not. The rest of the tests did not run
+  std::string output;  ///< what the student's code printed; untrusted text
+
+  bool allPassed() const { return crash.empty() && failures.empty() && total > 0 && passed == total; }
+};
+
+/// Runs the public tests of a built program.
+TestReport runPublicTests(const StudentProgram& program);
+
+/// What the demo left.
+struct CurvesReport {
+  std::vector<std::filesystem::path> figures;
+  std::string trouble;  ///< why there are none, or not all; "" when all is well
+};
+
+/// Runs the demo of a built program and draws its curves into `folder`.
+CurvesReport drawCurves(const StudentProgram& program, const std::filesystem::path& folder);
+
+/// What one case of a failed test looks like on a terminal: the property, the call to paste, got and expected.
+std::string showFailure(const FailedTest& failure);
+
+}  // namespace muelle

@@ -1,0 +1,148 @@
+#include "base/text/nearest.h"
+#include "base/text/printable.h"
+#include "course/check/diagnostics.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+namespace muelle {
+
+namespace {
+
+bool isNameCharacter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// What stands behind `key` in each line that has it, up to a closing quote or the line's end.
+std::vector<std::string> subjects(std::string_view linkerText, std::string_view key) {
+  std::vector<std::string> found;
+  for (std::size_t at = linkerText.find(key); at != std::string_view::npos; at = linkerText.find(key, at + 1)) {
+    std::string_view rest = linkerText.substr(at + key.size());
+    rest = rest.substr(0, rest.find('\n'));
+    if (!rest.empty() && (rest[0] == '`' || rest[0] == '\'')) rest = rest.substr(1, rest.find('\'', 1) - 1);
+    const std::string subject(rest);
+    if (std::ranges::find(found, subject) == found.end()) found.push_back(subject);
+  }
+  return found;
+}
+
+struct NamedLine {
+  std::string name;
+  int line;
+};
+
+/// Functions that begin at the left margin: "type name(": enough to find a misspelt one.
+std::vector<NamedLine> functionsIn(std::string_view text) {
+  std::vector<NamedLine> functions;
+  for (int number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::size_t open = line.find('(');
+    if (line.empty() || !isNameCharacter(line[0]) || open == std::string_view::npos) continue;
+    std::size_t start = open;
+    while (start > 0 && isNameCharacter(line[start - 1])) --start;
+    if (start > 0 && start < open) functions.push_back({std::string(line.substr(start, open - start)), number});
+  }
+  return functions;
+}
+
+/// The declaration of the function in the contract, on one line; "" when it has none.
+std::string declarationIn(std::string_view contract, const std::string& name) {
+  for (const NamedLine& function : functionsIn(contract)) {
+    if (function.name != name) continue;
+    std::size_t start = 0;
+    for (int i = 1; i < function.line; ++i) start = contract.find('\n', start) + 1;
+    std::string declaration(contract.substr(start, contract.find(';', start) - start));
+    std::string oneLine;
+    for (const char c : declaration) {
+      const bool isBlank = c == ' ' || c == '\n' || c == '\t' || c == '\r';
+      if (!isBlank) oneLine += c;
+      if (isBlank && !oneLine.empty() && oneLine.back() != ' ') oneLine += ' ';
+    }
+    return oneLine;
+  }
+  return "";
+}
+
+/// "cross" of "Eigen::MatrixBase<...>::cross<...>": Eigen declares everything at once and keeps some of it in headers
+/// of its own. "" when the function is not Eigen's.
+std::string eigenMember(std::string_view name) {
+  int depth = 0;
+  std::size_t start = 0;   // after the return type, if there is one
+  std::size_t member = 0;  // after the last ::
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (name[i] == '<') ++depth;
+    if (name[i] == '>') --depth;
+    if (depth > 0) continue;
+    if (name[i] == ' ') start = i + 1;
+    if (name[i] == ' ' || name[i] == ':') member = i + 1;
+  }
+  if (!name.substr(start).starts_with("Eigen::")) return "";
+  const std::string_view rest = name.substr(member);
+  return std::string(rest.substr(0, rest.find_first_of("<(")));
+}
+
+/// One missing function.
+std::string explainMissing(const std::string& name, const std::vector<StudentFile>& files, std::string_view contract,
+                           std::string_view contractName) {
+  const std::string declaration = declarationIn(contract, name);
+  const std::string fileName = files.empty() ? "the file" : files.front().name;
+  if (const std::string member = eigenMember(name); !member.empty()) {
+    return fmt::format(
+        "{0} uses Eigen's {1}(), which stands in another header\n      = add  #include <Eigen/Dense>  below "
+        "the include of {2}\n",
+        fileName, member, contractName);
+  }
+  if (declaration.empty()) return fmt::format("{} calls {}, which is written nowhere\n", fileName, name);
+  std::string text = fmt::format("{} declares this function, and {} does not define it:\n      {}\n", contractName,
+                                 fileName, declaration);
+  for (const StudentFile& file : files) {
+    std::vector<std::string> names;
+    for (const NamedLine& function : functionsIn(file.text)) {
+      if (function.name == name) {
+        return text + fmt::format(
+                          "      = {}:{} has the name, but other argument types (const and & count), static, or "
+                          "a namespace around it\n",
+                          file.name, function.line);
+      }
+      // A function that the contract knows is itself, not a misspelling of this one.
+      if (declarationIn(contract, function.name).empty()) names.push_back(function.name);
+    }
+    const std::string guess = nearest(name, names);
+    for (const NamedLine& function : functionsIn(file.text)) {
+      if (!guess.empty() && function.name == guess) {
+        return text + fmt::format("      = {}:{} is called {}: is that a slip?\n", file.name, function.line, guess);
+      }
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string explainLinkErrors(std::string_view linkerText, const std::vector<StudentFile>& files,
+                              std::string_view contract, std::string_view contractName) {
+  std::string text;
+  for (const std::string_view key : {"multiple definition of ", "duplicate symbol: "}) {
+    for (const std::string& subject : subjects(linkerText, key)) {
+      const std::size_t last = subject.rfind(": ");
+      const std::string name = last == std::string::npos ? subject : subject.substr(last + 2);
+      text +=
+          name == "main"
+              ? "your file defines main: leave it out, the checking program has its own\n"
+              : fmt::format("{} is defined twice: once in your file, once in the checking program; rename it\n", name);
+    }
+  }
+  std::vector<std::string> names;
+  for (const std::string_view key : {"undefined symbol: ", "undefined reference to "}) {
+    for (const std::string& subject : subjects(linkerText, key)) {
+      const std::string name = subject.substr(0, subject.find('('));
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    }
+  }
+  for (const std::string& name : names) text += explainMissing(name, files, contract, contractName);
+  return text.empty() ? printableText(cutText(linkerText, 10, 2000)) : printableText(text);
+}
+
+}  // namespace muelle

@@ -1,0 +1,119 @@
+/// \file
+/// The program that the student's check runs: the public tests, or the demo, on the student's functions.
+///
+///     program tests          runs the tests
+///     program demo FOLDER    draws the demo's figures into the folder
+///
+/// What happens goes to descriptor 3 as report lines (report_line.h), whatever the student's code prints or breaks.
+
+#include "course/check/crash_report.h"
+#include "course/check/eigen_message.h"
+#include "course/check/report_line.h"
+#include "course/testing/call_record.h"
+#include "figures/write.h"
+#include "harness/demo.h"
+
+#include <gtest/gtest.h>
+#include <cstdio>
+#include <exception>
+#include <string>
+
+namespace muelle {
+
+namespace {
+
+/// "springForce" while it runs; afterwards, when a test handles what it returned, "what springForce returned".
+std::string place() {
+  if (CallRecord::current() != nullptr) return CallRecord::current()->function();
+  const std::string& call = CallRecord::lastCall();
+  return call.empty() ? "" : "what " + call.substr(0, call.find('(')) + " returned";
+}
+
+class ReportingListener : public testing::EmptyTestEventListener {
+  void OnTestProgramStart(const testing::UnitTest& program) override {
+    report("tests", std::to_string(program.test_to_run_count()));
+  }
+  void OnTestStart(const testing::TestInfo& test) override {
+    CallRecord::setLastCall("");
+    report("test", std::string(test.test_suite_name()) + "." + test.name());
+  }
+  void OnTestPartResult(const testing::TestPartResult& part) override {
+    if (!part.failed()) return;
+    report("call", CallRecord::lastCall());
+    report("failure", withoutExceptionPhrase(part.message()));
+  }
+  void OnTestEnd(const testing::TestInfo& test) override {
+    const testing::TestResult& result = *test.result();
+    for (int i = 0; i < result.test_property_count(); ++i) {
+      const testing::TestProperty& property = result.GetTestProperty(i);
+      if (std::string(property.key()) == "property") report("property", property.value());
+    }
+    report("end", result.Passed() ? "passed" : "failed");
+  }
+
+  /// GoogleTest wraps an exception's text in words about itself.
+  static std::string withoutExceptionPhrase(const std::string& message) {
+    const std::string& call = CallRecord::lastCall();
+    const std::string function = call.empty() ? "the test" : call.substr(0, call.find('('));
+    if (message.starts_with("Unknown C++ exception")) return function + " threw something that is no std::exception";
+    const std::string before = "C++ exception with description \"";
+    const std::size_t end = message.rfind("\" thrown in");
+    if (!message.starts_with(before) || end == std::string::npos) return message;
+    const std::string what = message.substr(before.size(), end - before.size());
+    if (what == lastMisuse()) return what;
+    return function + " threw an exception: " + what;
+  }
+
+ public:
+  static void report(std::string_view kind, std::string_view text) { writeReport(reportLine(kind, text)); }
+  /// The text of the latest EigenMisuse: GoogleTest keeps only the text of an exception.
+  static std::string& lastMisuse() {
+    static std::string text;
+    return text;
+  }
+};
+
+int runTests(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
+  delete listeners.Release(listeners.default_result_printer());
+  listeners.Append(new ReportingListener);
+  return RUN_ALL_TESTS();
+}
+
+int drawDemo(const std::string& folder) {
+  // A demo calls thousands of times; its arguments are of no use.
+  CallRecord::printsArguments() = false;
+  try {
+    for (const Figure& figure : MUELLE_DEMO_NAME()) {
+      writeFigure(figure, folder);
+      ReportingListener::report("figure", figure.id() + ".svg");
+    }
+  } catch (const std::exception& error) {
+    ReportingListener::report("crash", error.what());
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+
+/// An exception, so that the other tests still run.
+void eigenAssertionFailed(const char* condition, const char* function, AssertedIndex index) {
+  // While an exception is on its way, destructors of Eigen assert what they then find; the first cause is what counts.
+  if (std::uncaught_exceptions() == 0) {
+    ReportingListener::lastMisuse() = eigenMessage(condition, function, index, place());
+  }
+  throw EigenMisuse(ReportingListener::lastMisuse());
+}
+
+}  // namespace muelle
+
+int main(int argc, char** argv) {
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // a crash must not swallow what was printed before it
+  muelle::watchForCrashes();
+  const bool drawsDemo = argc == 3 && std::string(argv[1]) == "demo";
+  const int status = drawsDemo ? muelle::drawDemo(argv[2]) : muelle::runTests(argc, argv);
+  muelle::ReportingListener::report("done", "");
+  return status;
+}

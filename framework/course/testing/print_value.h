@@ -1,0 +1,114 @@
+#pragma once
+/// \file
+/// Values as C++ source: what a student can paste to repeat a failing call.
+
+#include "course/testing/struct_fields.h"
+#include "harness/types.h"
+
+#include <array>
+#include <concepts>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace muelle {
+
+/// Shortest text that reads back as the same number; "NAN" and "INFINITY" for what has no digits.
+std::string printNumber(double value);
+std::string printNumber(float value);
+
+inline std::string printValue(bool value) { return value ? "true" : "false"; }
+inline std::string printValue(double value) { return printNumber(value); }
+inline std::string printValue(float value) { return printNumber(value); }
+inline std::string printValue(std::integral auto value) { return std::to_string(value); }
+inline std::string printValue(const std::string& value) { return '"' + value + '"'; }
+
+template <class Result, class... Args>
+std::string printValue(const std::function<Result(Args...)>&);
+template <class T>
+std::string printValue(const std::vector<T>& values);
+template <class T, std::size_t N>
+std::string printValue(const std::array<T, N>& values);
+template <DescribedStruct T>
+std::string printValue(const T& object);
+template <class Derived>
+std::string printValue(const Eigen::MatrixBase<Derived>& m);
+template <class Derived>
+std::string printValue(const Eigen::SparseMatrixBase<Derived>& m);
+
+namespace detail {
+
+template <class Range>
+std::string printList(const Range& values) {
+  std::string text = "{";
+  for (const auto& value : values) text += (text.size() > 1 ? ", " : "") + printValue(value);
+  return text + "}";
+}
+
+/// "Vec3", "VecX", "MatX" ... : the name that harness/types.h gives to the type.
+std::string matrixName(int rows, int cols);
+
+}  // namespace detail
+
+/// A function argument cannot be written out.
+template <class Result, class... Args>
+std::string printValue(const std::function<Result(Args...)>&) {
+  return "/* a function of the test */";
+}
+
+template <class T>
+std::string printValue(const std::vector<T>& values) {
+  return detail::printList(values);
+}
+
+template <class T, std::size_t N>
+std::string printValue(const std::array<T, N>& values) {
+  return detail::printList(values);
+}
+
+/// Name{field, field}
+template <DescribedStruct T>
+std::string printValue(const T& object) {
+  std::string fields;
+  visitFields(object, [&fields](const auto& field) { fields += (fields.empty() ? "" : ", ") + printValue(field); });
+  return std::string(structName(&object)) + "{" + fields + "}";
+}
+
+/// The dense matrix and the call that makes it sparse again. Needs <Eigen/SparseCore> where it is used.
+template <class Derived>
+std::string printValue(const Eigen::SparseMatrixBase<Derived>& m) {
+  return printValue(MatX(m)) + ".sparseView()";
+}
+
+/// Vec3(1, 2, 3) up to three components, Vec9{{...}} and MatX{{...}, {...}} beyond.
+template <class Derived>
+std::string printValue(const Eigen::MatrixBase<Derived>& m) {
+  constexpr int Rows = Derived::RowsAtCompileTime;
+  constexpr int Cols = Derived::ColsAtCompileTime;
+  const auto rowText = [&m](Eigen::Index row) {
+    std::string text;
+    for (Eigen::Index col = 0; col < m.cols(); ++col) text += (col > 0 ? ", " : "") + printValue(m(row, col));
+    return text;
+  };
+  const bool isVector = Cols == 1;
+  const bool isShort = isVector && (Rows == 2 || Rows == 3);
+  std::string text;
+  for (Eigen::Index row = 0; row < m.rows(); ++row) {
+    if (row > 0) text += ", ";
+    text += isVector ? rowText(row) : "{" + rowText(row) + "}";
+  }
+  const std::string name = detail::matrixName(Rows, Cols);
+  if (m.size() == 0) return name + (isVector ? "(0)" : "(" + printValue(m.rows()) + ", " + printValue(m.cols()) + ")");
+  if (isShort) return name + "(" + text + ")";
+  return isVector ? name + "{{" + text + "}}" : name + "{" + text + "}";
+}
+
+/// f(a, b, c)
+template <class... Args>
+std::string printCall(const char* function, const Args&... args) {
+  std::string text;
+  ((text += (text.empty() ? "" : ", ") + printValue(args)), ...);
+  return std::string(function) + "(" + text + ")";
+}
+
+}  // namespace muelle

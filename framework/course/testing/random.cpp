@@ -1,0 +1,75 @@
+#include "course/testing/random.h"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <string_view>
+
+namespace muelle {
+
+namespace {
+
+std::uint64_t& testSeed() {
+  static std::uint64_t seed = 20090906;  // the date of the lecture
+  return seed;
+}
+
+/// FNV-1a: gives each test its own stream; std::hash is not the same on every platform.
+std::uint64_t fold(std::uint64_t hash, std::string_view text) {
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  return hash;
+}
+
+}  // namespace
+
+double Random::number(double low, double high) {
+  constexpr double ulp = 1.0 / 9007199254740992.0;  // 2^-53: 53 random bits make a double in [0, 1)
+  return low + (high - low) * static_cast<double>(engine_() >> 11) * ulp;
+}
+
+double Random::positive(double low, double high) { return std::exp(number(std::log(low), std::log(high))); }
+
+int Random::integer(int low, int high) {
+  return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
+}
+
+Vec3 Random::vector3(double scale) {
+  const double x = number(-scale, scale);
+  const double y = number(-scale, scale);
+  const double z = number(-scale, scale);
+  return {x, y, z};
+}
+
+double Random::normal() {  // Box and Muller (1958)
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - number(0, 1)));
+  return radius * std::cos(number(0, 2 * M_PI));
+}
+
+Vec3 Random::direction() {
+  const double x = normal();
+  const double y = normal();
+  const double z = normal();
+  return Vec3(x, y, z).normalized();
+}
+
+Mat3 Random::rotation() {
+  // A unit quaternion uniform on the 3-sphere is a rotation uniform over SO(3) (Shoemake 1992).
+  Eigen::Vector4d q(normal(), normal(), normal(), normal());
+  q.normalize();
+  const double w = q[0];
+  const Vec3 u = q.tail<3>();
+  Mat3 cross;
+  cross << 0, -u[2], u[1], u[2], 0, -u[0], -u[1], u[0], 0;
+  return (w * w - u.squaredNorm()) * Mat3::Identity() + 2 * u * u.transpose() + 2 * w * cross;
+}
+
+Random testRandom() {
+  std::uint64_t seed = testSeed();
+  if (const auto* info = ::testing::UnitTest::GetInstance()->current_test_info()) {
+    seed = fold(fold(seed, info->test_suite_name()), info->name());
+  }
+  return Random(seed);
+}
+
+void setTestSeed(std::uint64_t seed) { testSeed() = seed; }
+
+}  // namespace muelle

@@ -1,0 +1,52 @@
+#include "base/file.h"
+#include "support/temporary.h"
+
+#include <gtest/gtest.h>
+
+namespace muelle {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(WriteFile, ReplacesAFileAndLeavesNothingBeside) {
+  const TemporaryFolder folder(::testing::TempDir());
+  writeFile(folder.path() / "a", "long first text");
+  writeFile(folder.path() / "a", std::string("s\0x", 3));
+  EXPECT_EQ(readFile(folder.path() / "a"), std::string("s\0x", 3));
+  EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{"a"});
+}
+
+TEST(WriteFile, TakesANameWithoutFolderAndAnEmptyText) {
+  const TemporaryFolder folder(::testing::TempDir());
+  writeFile(folder.path() / "empty", "");
+  EXPECT_EQ(readFile(folder.path() / "empty"), "");
+}
+
+TEST(ReadFile, SaysWhichFileIsMissing) {
+  try {
+    readFile("/nowhere/at/all");
+    FAIL() << "the file does not exist";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "cannot read /nowhere/at/all: No such file or directory");
+  }
+}
+
+TEST(TemporaryFolder, VanishesWithItsScope) {
+  fs::path path;
+  {
+    const TemporaryFolder folder(::testing::TempDir());
+    path = folder.path();
+    writeFile(path / "a", "x");
+    EXPECT_TRUE(fs::exists(path));
+  }
+  EXPECT_FALSE(fs::exists(path));
+}
+
+TEST(TemporaryFolder, IsAnotherOneEachTime) {
+  const TemporaryFolder a(::testing::TempDir());
+  const TemporaryFolder b(::testing::TempDir());
+  EXPECT_NE(a.path(), b.path());
+}
+
+}  // namespace
+}  // namespace muelle

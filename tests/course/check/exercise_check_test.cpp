@@ -1,0 +1,140 @@
+/// \file
+/// The whole check, compiler included, on the exercise of fixture/ and the mistakes that students make.
+
+#include "course/check/exercise_check.h"
+
+#include "base/build_paths.h"
+#include "base/file.h"
+
+#include <gtest/gtest.h>
+#include <chrono>
+
+namespace muelle {
+namespace {
+
+const std::string twice = "Vec3 twice(const Vec3& x) { return 2 * x; }\n";
+const std::string entry =
+    "double entry(const std::vector<double>& list, int i) { return list[static_cast<std::size_t>(i)]; }\n";
+
+class Check : public testing::Test {
+ protected:
+  StudentProgram build(const std::string& source) {
+    writeFile(folder_.path() / "fixture_spring.cpp", "#include \"fixture_spring.h\"\n" + source);
+    return buildStudentProgram(manifest_, {folder_.path() / "fixture_spring.cpp"}, folders_);
+  }
+  TestReport run(const std::string& source) {
+    const StudentProgram program = build(source);
+    EXPECT_FALSE(program.executable.empty()) << program.diagnostics;
+    return runPublicTests(program);
+  }
+  /// The first message of the first failure.
+  std::string firstMessage(const std::string& source) {
+    const TestReport report = run(source);
+    if (report.failures.empty()) return "none";
+    return report.failures.front().messages.front();
+  }
+  void TearDown() override { std::filesystem::remove_all(folders_.out); }
+
+  TemporaryFolder folder_{std::filesystem::path(build_paths::binary) / "test"};
+  CheckFolders folders_{MUELLE_FIXTURE_EXERCISES, MUELLE_FIXTURE_BUILD, folder_.path() / "out"};
+  Manifest manifest_ = [] {
+    Manifest manifest;
+    manifest.topic = "fixture_spring";
+    manifest.files = {"fixture_spring.cpp"};
+    return manifest;
+  }();
+};
+
+TEST_F(Check, ARightFilePassesAndLeavesItsCurve) {
+  const StudentProgram program = build(twice + entry);
+  EXPECT_EQ(program.diagnostics, "");
+  const TestReport report = runPublicTests(program);
+  EXPECT_TRUE(report.allPassed());
+  EXPECT_EQ(report.total, 2);
+  const CurvesReport curves = drawCurves(program, folders_.out);
+  EXPECT_EQ(curves.trouble, "");
+  ASSERT_EQ(curves.figures.size(), 1U);
+  EXPECT_GT(std::filesystem::file_size(curves.figures[0]), 0U);
+}
+
+TEST_F(Check, AWrongNumberIsACallToPaste) {
+  const TestReport report = run("Vec3 twice(const Vec3& x) { return 3 * x; }\n" + entry);
+  EXPECT_EQ(report.passed, 1);
+  ASSERT_EQ(report.failures.size(), 1U);
+  EXPECT_EQ(showFailure(report.failures[0]),
+            "  every component is doubled\n"
+            "    twice(Vec3(1, 2, 3));\n"
+            "    component 0: got 3, expected 2 (difference 1, tolerance 1e-12)\n");
+}
+
+TEST_F(Check, AnErrorOfTheCompilerIsCut) {
+  const StudentProgram program = build("Vec3 twice(const Vec3& x) { return x + 1.0; }\n" + entry);
+  EXPECT_TRUE(program.executable.empty());
+  EXPECT_NE(program.diagnostics.find("fixture_spring.cpp:2:38: error: no match for 'operator+'"), std::string::npos)
+      << program.diagnostics;
+  EXPECT_EQ(program.diagnostics.find("note:"), std::string::npos);
+  EXPECT_EQ(program.diagnostics.find("Eigen/"), std::string::npos);
+}
+
+TEST_F(Check, AMissingFunctionIsNamed) {
+  const StudentProgram program = build(twice);
+  EXPECT_TRUE(program.executable.empty());
+  EXPECT_NE(program.diagnostics.find("double entry(const std::vector<double>& list, int i)"), std::string::npos)
+      << program.diagnostics;
+}
+
+TEST_F(Check, AnIndexOutOfRangeIsNamed) {
+  EXPECT_EQ(firstMessage("Vec3 twice(const Vec3& x) { volatile int i = 3; return Vec3(x[i], 0, 0); }\n" + entry),
+            "index 3 of a 3-vector in twice");
+  EXPECT_EQ(firstMessage(twice + "double entry(const std::vector<double>& list, int) { return list[list.size()]; }\n"),
+            "entry used an index beyond the end of a std::vector");
+}
+
+TEST_F(Check, EndlessRecursionIsNamed) {
+  EXPECT_EQ(
+      firstMessage(twice + "double entry(const std::vector<double>& list, int i) { return 1 + entry(list, i); }\n"),
+      "entry called itself without end: stack overflow");
+}
+
+TEST_F(Check, AnEndlessLoopIsNamed) {
+  EXPECT_EQ(firstMessage(
+                twice +
+                "double entry(const std::vector<double>&, int i) { volatile int n = i; while (n > 0) {} return n; }\n"),
+            "entry did not return within 2 s");
+}
+
+TEST_F(Check, ABadPointerAnExceptionAndAnExitAreNamed) {
+  const std::string head = "double entry(const std::vector<double>&, int) { ";
+  EXPECT_EQ(firstMessage(twice + head + "volatile double* p = nullptr; return *p; }\n"),
+            "entry used memory that is not its own: an index or a pointer is wrong");
+  EXPECT_EQ(firstMessage(twice + head + "throw 3; }\n"), "entry threw something that is no std::exception");
+  EXPECT_EQ(firstMessage(twice + head + "throw std::runtime_error(\"not yet\"); }\n"),
+            "entry threw an exception: not yet");
+  EXPECT_EQ(firstMessage(twice + head + "std::exit(0); }\n"), "entry called exit(): a function must return");
+}
+
+TEST_F(Check, ATestThatDidNotRunIsNoPass) {
+  const TestReport report = run("namespace { struct Early { Early() { std::exit(0); } } early; }\n" + twice + entry);
+  EXPECT_FALSE(report.allPassed());
+  EXPECT_NE(report.crash, "");
+}
+
+TEST_F(Check, WhatTheStudentPrintsIsKeptApart) {
+  const TestReport report = run("Vec3 twice(const Vec3& x) { std::puts(\"end\\tpassed\"); return 2 * x; }\n" + entry);
+  EXPECT_TRUE(report.allPassed());
+  EXPECT_EQ(report.output, "end\tpassed\n");
+}
+
+TEST_F(Check, AnUnchangedFileIsNotCompiledAgain) {
+  const StudentProgram first = build(twice + entry);
+  const auto built = std::filesystem::last_write_time(first.executable);
+  const StudentProgram again = buildStudentProgram(manifest_, {folder_.path() / "fixture_spring.cpp"}, folders_);
+  EXPECT_EQ(std::filesystem::last_write_time(again.executable), built);
+  EXPECT_EQ(again.fingerprint, first.fingerprint);
+  const StudentProgram changed = build(twice + entry + "// more\n");
+  EXPECT_NE(changed.fingerprint, first.fingerprint);
+  EXPECT_NE(std::filesystem::last_write_time(changed.executable), built);
+}
+
+}  // namespace
+}  // namespace muelle

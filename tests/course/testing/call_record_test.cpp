@@ -1,0 +1,50 @@
+#include "course/testing/direct_functions.h"
+#include "harness/types.h"
+
+#include <gtest/gtest.h>
+
+using muelle::Vec3;
+
+double stretch(const Vec3& a, const Vec3& b);
+void push(Vec3& x, double by);
+double nested(double x);
+MUELLE_FUNCTIONS(stretch, push, nested)
+
+double stretch(const Vec3& a, const Vec3& b) { return (a - b).norm(); }
+void push(Vec3& x, double by) { x.array() += by; }
+double nested(double x) {
+  const std::string outer = muelle::CallRecord::current()->function();
+  EXPECT_EQ(outer, "nested");
+  const double inner = submission::stretch(Vec3(x, 0, 0), Vec3(0, 0, 0));
+  EXPECT_STREQ(muelle::CallRecord::current()->function(), "nested");
+  return inner;
+}
+
+namespace muelle {
+namespace {
+
+TEST(DirectFunctions, CallTheStudentsFunctionAndRememberTheCall) {
+  EXPECT_DOUBLE_EQ(submission::stretch(Vec3(3, 0, 0), Vec3(0, 4, 0)), 5.0);
+  EXPECT_EQ(CallRecord::lastCall(), "stretch(Vec3(3, 0, 0), Vec3(0, 4, 0))");
+  EXPECT_EQ(CallRecord::current(), nullptr);
+}
+
+TEST(DirectFunctions, PassOutParametersOn) {
+  Vec3 x(1, 2, 3);
+  submission::push(x, 0.5);
+  EXPECT_EQ(x, Vec3(1.5, 2.5, 3.5));
+  EXPECT_EQ(CallRecord::lastCall(), "push(Vec3(1, 2, 3), 0.5)");
+}
+
+TEST(DirectFunctions, KnowTheInnermostCall) { EXPECT_DOUBLE_EQ(submission::nested(2.0), 2.0); }
+
+TEST(DirectFunctions, PrintNothingWhileADemoRuns) {
+  CallRecord::setLastCall("before");
+  CallRecord::printsArguments() = false;
+  submission::stretch(Vec3(1, 1, 1), Vec3(1, 1, 1));
+  CallRecord::printsArguments() = true;
+  EXPECT_EQ(CallRecord::lastCall(), "before");
+}
+
+}  // namespace
+}  // namespace muelle

@@ -1,0 +1,235 @@
+#include "base/file.h"
+#include "figures/axis.h"
+#include "figures/script.h"
+#include "figures/write.h"
+#include "support/temporary.h"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <regex>
+
+namespace muelle {
+namespace {
+
+using Numbers = std::vector<double>;
+const Numbers t = {0, 1, 2, 3};
+
+/// Where a plot lies, in parts of the canvas.
+struct Plot {
+  double left, right, top, bottom;
+};
+
+std::vector<Plot> plotsOf(const std::string& script) {
+  std::vector<Plot> plots;
+  const std::regex pattern(R"(set lmargin at screen (\S+); set rmargin at screen (\S+)\n)"
+                           R"(set tmargin at screen (\S+); set bmargin at screen (\S+)\n)");
+  for (std::sregex_iterator it(script.begin(), script.end(), pattern), end; it != end; ++it) {
+    plots.push_back({std::stod((*it)[1]), std::stod((*it)[2]), std::stod((*it)[3]), std::stod((*it)[4])});
+  }
+  return plots;
+}
+
+std::size_t countOf(const std::string& text, const std::string& what) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
+  return count;
+}
+
+bool has(const std::string& text, const std::string& what) { return text.find(what) != std::string::npos; }
+
+/// Six panels with all that takes room above, below and beside a plot.
+Figure crowded(int columns) {
+  Figure figure("crowded", "A slide with everything on it", "time [s]");
+  figure.slide(columns);
+  for (int i = 0; i < 6; ++i) {
+    auto panel = figure.panel("position of the free end [m]");
+    panel.heading("a heading of some length");
+    for (const char* name : {"velocity Verlet", "classical Runge-Kutta", "implicit midpoint"}) {
+      panel.linePoints(name, t, {1e-7, 1, 10, 100});
+    }
+    if (i == 1) panel.logY();
+    if (i == 2) panel.equalAxes();
+    if (i == 3) panel.xNames({"explicit Euler", "symplectic Euler"});
+    if (i == 4) panel.field({{0, 1, 2}, {0, 1}, {1, 2, 3, 4, 5, 6}, "energy [J]"});
+    if (i == 5) panel.yNames({"a long name of a hard case", "another"});
+  }
+  return figure;
+}
+
+TEST(Slide, KeepsItsPlotsApart) {
+  for (const int columns : {1, 2, 3, 6}) {
+    const std::vector<Plot> plots = plotsOf(figureText(crowded(columns)).script);
+    ASSERT_EQ(plots.size(), 6U);
+    for (const Plot& a : plots) {
+      EXPECT_GE(a.left, 0.0);
+      EXPECT_LE(a.right, 1.0);
+      if (columns == 3) {
+        EXPECT_LT(a.left, a.right);
+        EXPECT_LT(a.bottom, a.top);
+      }
+      for (const Plot& b : plots) {
+        if (&a == &b) continue;
+        const bool besides = a.right < b.left || b.right < a.left;
+        const bool above = a.bottom > b.top || b.bottom > a.top;
+        EXPECT_TRUE(besides || above) << columns << " columns";
+      }
+    }
+  }
+}
+
+TEST(Slide, LinesItsPlotsUp) {
+  Figure figure("rows", "Two rows, unlike above and below", "time [s]");
+  figure.slide(2);
+  figure.panel("y").line("a", t, t).heading("a heading");
+  figure.panel("y").line("", t, t);
+  figure.panel("y").line("", t, t).xLabel("step [s]");
+  figure.panel("y").line("a", t, t);
+  const std::vector<Plot> plots = plotsOf(figureText(figure).script);
+  ASSERT_EQ(plots.size(), 4U);
+  const double digits = 2e-5;  // of the margins
+  for (const std::size_t row : {0U, 2U}) {
+    EXPECT_NEAR(plots[row].top, plots[row + 1].top, digits);
+    EXPECT_NEAR(plots[row].bottom, plots[row + 1].bottom, digits);
+    EXPECT_NEAR(plots[row].top - plots[row].bottom, plots[0].top - plots[0].bottom, digits);
+  }
+  EXPECT_GT(plots[0].top - plots[0].bottom, 0.2);
+  EXPECT_GT(plots[0].bottom - plots[2].top, 40.0 / 540.0);  // the numbers of the one, the label of the other
+}
+
+TEST(Slide, NamesTheXAxisOnceInAColumn) {
+  Figure figure("columns", "Two rows", "time [s]");
+  figure.slide(2);
+  for (int i = 0; i < 4; ++i) figure.panel("position [m]").line("", t, t);
+  EXPECT_EQ(countOf(figureText(figure).script, "'time [s]'"), 2U);
+
+  Figure different("columns", "Two rows", "time [s]");
+  different.slide(2);
+  for (int i = 0; i < 4; ++i) different.panel("position [m]").line("", t, t).xLabel(i == 1 ? "step [s]" : "");
+  const std::string script = figureText(different).script;
+  EXPECT_EQ(countOf(script, "'time [s]'"), 2U);
+  EXPECT_EQ(countOf(script, "'step [s]'"), 1U);
+}
+
+std::string bigEndian(unsigned number) {
+  return {static_cast<char>(number >> 24U), static_cast<char>(number >> 16U), static_cast<char>(number >> 8U),
+          static_cast<char>(number)};
+}
+
+TEST(SlideFiles, AreWholeInEveryFormat) {
+  const TemporaryFolder folder(::testing::TempDir());
+  writeFigures({crowded(3)}, folder.path(), {Format::Svg, Format::Pdf, Format::Png});
+  EXPECT_EQ(namesIn(folder.path()),
+            (std::vector<std::string>{"crowded.dat", "crowded.gp", "crowded.pdf", "crowded.png", "crowded.svg"}));
+  const std::string png = readFile(folder.path() / "crowded.png");
+  ASSERT_GT(png.size(), 1000U);
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_EQ(png.substr(12, 4), "IHDR");
+  EXPECT_EQ(png.substr(16, 8), bigEndian(1280) + bigEndian(720));
+  EXPECT_EQ(png.substr(png.size() - 8, 4), "IEND");
+  const std::string pdf = readFile(folder.path() / "crowded.pdf");
+  EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
+  EXPECT_TRUE(has(pdf.substr(pdf.size() - 16), "%%EOF"));
+  const std::string svg = readFile(folder.path() / "crowded.svg");
+  EXPECT_TRUE(has(svg, "viewBox=\"0 0 960 540\""));
+  for (const char* text : {"A slide with everything on it", "a heading of some length", "implicit midpoint",
+                           "symplectic Euler", "a long name of a hard case", "energy [J]"}) {
+    EXPECT_TRUE(has(svg, text)) << text;
+  }
+}
+
+TEST(SlideData, HoldsArrowsCellsAndFields) {
+  Figure figure("data", "What a slide can draw", "x [m]");
+  figure.slide(3);
+  figure.panel("z [m]").arrows("force", {0, 1}, {2, 3}, {0.5, NAN}, {-0.25, 1});
+  figure.panel("case").cells("passed", {0, 1}, {1, 0});
+  figure.panel("z [m]").field({{0, 1}, {5, 6, 7}, {1, 2, 3, NAN, 5, 6}, "energy [J]"});
+  const FigureText text = figureText(figure);
+  EXPECT_TRUE(has(text.data, "\n0 2 0.5 -0.25\n\n")) << text.data;
+  EXPECT_FALSE(has(text.data, "1 3 "));  // an arrow with a component that is not a number
+  EXPECT_TRUE(has(text.data, "\n0 1\n1 0\n")) << text.data;
+  EXPECT_TRUE(has(text.data, "\n0 5 1\n1 5 2\n\n0 6 3\n1 6 NaN\n\n0 7 5\n1 7 6\n")) << text.data;
+  EXPECT_TRUE(has(text.script, "with vectors"));
+  EXPECT_TRUE(has(text.script, "with boxxyerror"));
+  EXPECT_TRUE(has(text.script, "with image"));
+}
+
+TEST(SlideAxes, EndWhereTheyAreTold) {
+  Figure figure("ranges", "Fixed ranges", "time [s]");
+  figure.slide(2);
+  figure.panel("x [m]").line("", t, t).xRange(-1, 7).yRange(0.5, 2.5);
+  figure.panel("x [m]").line("", t, t).field({{0, 1}, {0, 1}, {1, 2, 3, 4}, "E", {{-3, 9}}});
+  const std::string script = figureText(figure).script;
+  EXPECT_TRUE(has(script, "set xrange [-1:7]\nset yrange [0.5:2.5]"));
+  EXPECT_TRUE(has(script, "set cbrange [-3:9]"));
+}
+
+TEST(SlideAxes, MayBeLinearAfterALogarithmicOne) {
+  Figure figure("scales", "Scales", "x");
+  figure.slide(2).panel("y").line("", {1, 10}, {1, 10}).logX().logY();
+  figure.panel("y").line("", {-1, 1}, {-1, 1});
+  const std::string script = figureText(figure).script;
+  // gnuplot cannot set a range with negative numbers on an axis that is still logarithmic.
+  for (const char* axis : {"x", "y"}) {
+    const std::size_t unset = script.rfind(std::string("unset logscale ") + axis);
+    ASSERT_NE(unset, std::string::npos);
+    EXPECT_LT(unset, script.find(std::string("set ") + axis + "range [-"));
+  }
+}
+
+TEST(SlideAxes, HaveNumbersThatStandApart) {
+  const AxisRange range{-0.25, 0.75};
+  EXPECT_DOUBLE_EQ(ticStep(range, 100, 25), 0.5);
+  EXPECT_DOUBLE_EQ(ticStep(range, 100, 20), 0.2);
+  EXPECT_DOUBLE_EQ(ticStep(range, 1000, 1), 0.001);
+  EXPECT_DOUBLE_EQ(ticStep({0, 6e5}, 100, 100), 1e6);
+  EXPECT_EQ(widestNumber(range, 0.5), 3U);   // 0, 0.5
+  EXPECT_EQ(widestNumber(range, 0.25), 5U);  // -0.25
+  EXPECT_EQ(widestNumber({0, 6e5}, 1e5), 6U);
+}
+
+TEST(SlideCurves, TakeTheColourTheyAreGiven) {
+  Figure figure("colours", "One thing, one colour", "x");
+  figure.slide(2);
+  figure.panel("y").line("a", t, t).line("b", t, t).colour(4).line("c", t, t);
+  const std::string script = figureText(figure).script;
+  EXPECT_TRUE(has(script, "index 0 using 1:2 with lines ls 1,"));
+  EXPECT_TRUE(has(script, "index 1 using 1:2 with lines ls 5,"));
+  EXPECT_TRUE(has(script, "index 2 using 1:2 with lines ls 2\n"));
+  EXPECT_TRUE(has(script, "set style line 5 "));
+}
+
+TEST(SlideErrors, AreFoundWhereTheyAreMade) {
+  Figure figure("errors", "Mistakes", "x");
+  EXPECT_THROW(figure.slide(0), std::invalid_argument);
+  auto panel = figure.panel("y");
+  EXPECT_THROW(panel.colour(1), std::invalid_argument);
+  EXPECT_THROW(panel.arrows("a", {1, 2}, {1, 2}, {1}, {1, 2}), std::invalid_argument);
+  EXPECT_THROW(panel.xRange(1, 1), std::invalid_argument);
+  EXPECT_THROW(panel.yRange(2, 1), std::invalid_argument);
+  EXPECT_THROW(panel.yRange(NAN, 1), std::invalid_argument);
+  EXPECT_THROW(panel.xRange(0, HUGE_VAL), std::invalid_argument);
+  EXPECT_THROW(panel.field({{0, 1}, {0, 1}, {1, 2, 3}, "E"}), std::invalid_argument);
+  EXPECT_THROW(panel.field({{0}, {0, 1}, {1, 2}, "E"}), std::invalid_argument);
+  EXPECT_THROW(panel.field({{0, 1, 3}, {0, 1}, {1, 2, 3, 4, 5, 6}, "E"}), std::invalid_argument);
+  EXPECT_THROW(panel.field({{0, 1}, {1, 0}, {1, 2, 3, 4}, "E"}), std::invalid_argument);
+  EXPECT_THROW(panel.field({{0, 1}, {0, 1}, {1, 2, 3, 4}, "E", {{1, 0}}}), std::invalid_argument);
+}
+
+TEST(SlideErrors, IncludeTextThatIsNotPlain) {
+  Figure figure("text", "Text", "x");
+  auto panel = figure.panel("y");
+  for (const std::string bad : {"a\nset output", "`date`", "\"", "@a", "{/Bold a}"}) {
+    EXPECT_THROW(panel.heading(bad), std::invalid_argument) << bad;
+    EXPECT_THROW(panel.xLabel(bad), std::invalid_argument) << bad;
+    EXPECT_THROW(panel.note(0, 0, bad), std::invalid_argument) << bad;
+    EXPECT_THROW(panel.xNames({"a", bad}), std::invalid_argument) << bad;
+    EXPECT_THROW(panel.yNames({bad}), std::invalid_argument) << bad;
+    EXPECT_THROW(panel.linePoints(bad, t, t), std::invalid_argument) << bad;
+    EXPECT_THROW(panel.cells(bad, t, t), std::invalid_argument) << bad;
+    EXPECT_THROW(panel.arrows(bad, t, t, t, t), std::invalid_argument) << bad;
+    EXPECT_THROW(panel.field({{0, 1}, {0, 1}, {1, 2, 3, 4}, bad}), std::invalid_argument) << bad;
+  }
+}
+
+}  // namespace
+}  // namespace muelle

@@ -1,0 +1,139 @@
+/// \file
+/// What every exercise must have. The exercises are found by their folders; a failure says which file is missing or
+/// which two lists differ, so that it reads as a to-do list for the author.
+
+#include "course/manifest.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+using muelle::Manifest;
+
+const fs::path source = MUELLE_SOURCE;
+const fs::path binary = MUELLE_BINARY;
+
+std::string contentOf(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+/// "suite NAME" and "mistake FUNCTION ID" lines of a hidden test program.
+std::set<std::string> listing(const std::string& topic, const std::string& kind) {
+  const std::string command = (binary / "hidden" / ("hidden_" + topic)).string() + " --list";
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
+  std::set<std::string> names;
+  std::array<char, 512> line{};
+  while (pipe && std::fgets(line.data(), line.size(), pipe.get()) != nullptr) {
+    std::istringstream words(line.data());
+    std::string first;
+    std::string rest;
+    words >> first;
+    std::getline(words >> std::ws, rest);
+    if (first == kind) names.insert(rest);
+  }
+  return names;
+}
+
+class EveryExercise : public ::testing::Test {
+ protected:
+  const std::vector<Manifest> course = muelle::readCourse(source / "exercises");
+};
+
+TEST_F(EveryExercise, IsThereAtAll) { EXPECT_GE(course.size(), 6U); }
+
+TEST_F(EveryExercise, HasAllItsFiles) {
+  for (const Manifest& exercise : course) {
+    const std::string& topic = exercise.topic;
+    const std::vector<fs::path> needed = {
+        fs::path("exercises") / topic / "README.md",       fs::path("exercises") / topic / "figure.svg",
+        fs::path("exercises") / topic / (topic + ".h"),    fs::path("exercises") / topic / (topic + ".cpp"),
+        fs::path("exercises") / topic / "public_test.cpp", fs::path("exercises") / topic / "demo.cpp",
+        fs::path("solutions") / topic / (topic + ".cpp"),  fs::path("tests/hidden") / topic / (topic + "_test.cpp"),
+        fs::path("tests/hidden") / topic / "oracle.cpp",   fs::path("tests/hidden") / topic / "mistakes.cpp",
+        fs::path("tests/submissions") / topic / "right",   fs::path("tests/submissions") / topic / "wrong"};
+    for (const fs::path& file : needed) EXPECT_TRUE(fs::exists(source / file)) << "missing: " << file.string();
+  }
+}
+
+TEST_F(EveryExercise, HasNoFolderWithoutAManifest) {
+  for (const char* room : {"exercises", "solutions", "tests/hidden"}) {
+    for (const auto& entry : fs::directory_iterator(source / room)) {
+      if (!entry.is_directory()) continue;
+      const fs::path manifest = source / "exercises" / entry.path().filename() / "exercise.toml";
+      EXPECT_TRUE(fs::exists(manifest)) << entry.path().string() << " belongs to no exercise";
+    }
+  }
+}
+
+TEST_F(EveryExercise, HasASuiteForEachCriterion) {
+  for (const Manifest& exercise : course) {
+    std::set<std::string> stated;
+    for (const muelle::Criterion& criterion : exercise.criteria) stated.insert(criterion.suite);
+    EXPECT_EQ(listing(exercise.topic, "suite"), stated)
+        << "suites of the hidden tests of " << exercise.topic << " against the criteria of its exercise.toml";
+    EXPECT_GE(stated.size(), 5U) << exercise.topic;
+    EXPECT_LE(stated.size(), 9U) << exercise.topic;
+  }
+}
+
+TEST_F(EveryExercise, StatesEachMisconceptionThatItsTestsKnow) {
+  // One mistake may show in several functions; the manifest names the most telling one.
+  for (const Manifest& exercise : course) {
+    const std::set<std::string> known = listing(exercise.topic, "mistake");
+    std::set<std::string> knownIds;
+    for (const std::string& entry : known) knownIds.insert(entry.substr(entry.find(' ') + 1));
+    std::set<std::string> statedIds;
+    for (const muelle::Misconception& misconception : exercise.misconceptions) {
+      statedIds.insert(misconception.id);
+      EXPECT_TRUE(known.contains(misconception.function + " " + misconception.id))
+          << exercise.topic << ": mistakes.cpp has no " << misconception.id << " of " << misconception.function;
+    }
+    EXPECT_EQ(knownIds, statedIds) << "mistakes.cpp of " << exercise.topic
+                                   << " against the misconceptions of its exercise.toml";
+  }
+}
+
+TEST_F(EveryExercise, NamesFunctionsOfItsContract) {
+  for (const Manifest& exercise : course) {
+    const std::string contract = contentOf(source / "exercises" / exercise.topic / (exercise.topic + ".h"));
+    for (const muelle::Criterion& criterion : exercise.criteria) {
+      EXPECT_FALSE(criterion.hint.empty()) << exercise.topic << ": " << criterion.suite << " has no hint";
+      EXPECT_FALSE(criterion.functions.empty()) << exercise.topic << ": " << criterion.suite << " names no function";
+      for (const std::string& function : criterion.functions) {
+        EXPECT_NE(contract.find(function + "("), std::string::npos)
+            << exercise.topic << ": criterion " << criterion.suite << " needs " << function;
+      }
+    }
+  }
+}
+
+TEST_F(EveryExercise, HasPublicTestsWhoseHintsExist) {
+  for (const Manifest& exercise : course) {
+    const std::string tests = contentOf(source / "exercises" / exercise.topic / "public_test.cpp");
+    std::size_t position = 0;
+    int found = 0;
+    while ((position = tests.find("\nTEST(", position)) != std::string::npos) {
+      position += 6;
+      const std::string suite = tests.substr(position, tests.find(',', position) - position);
+      const bool known = std::any_of(exercise.criteria.begin(), exercise.criteria.end(),
+                                     [&suite](const auto& criterion) { return criterion.suite == suite; });
+      EXPECT_TRUE(known) << exercise.topic << ": public suite " << suite << " is no criterion, so it has no hint";
+      ++found;
+    }
+    EXPECT_GE(found, 2) << exercise.topic << " has too few public tests";
+  }
+}
+
+}  // namespace
