@@ -38,7 +38,7 @@ function(muelle_check_parts topic)
 "$<JOIN:$<TARGET_OBJECTS:public_${topic}>,\n>
 $<JOIN:$<TARGET_OBJECTS:muelle_public_main>,\n>
 $<TARGET_FILE:muelle_testing>
-$<TARGET_FILE:muelle_course>
+$<TARGET_FILE:muelle_check>
 $<TARGET_FILE:muelle_figures>
 $<TARGET_FILE:muelle_harness>
 $<TARGET_FILE:muelle_base>

@@ -98,7 +98,7 @@ TEST_F(ManifestFile, AMisspeltKeyGetsItsLineAndTheNearestName) {
 
 TEST_F(ManifestFile, AKeyLikeNoOtherGetsTheListOfKeys) {
   const std::string said = complaint(with("id = \"wrong_sign\"", "colour = \"red\"\nid = \"wrong_sign\""));
-  EXPECT_EQ(said, "spring_1d/exercise.toml:24: key 'colour': unknown; known are id, function, says, hint");
+  EXPECT_EQ(said, "spring_1d/exercise.toml:24: key 'colour': unknown; there are id, function, says, hint");
 }
 
 TEST_F(ManifestFile, AWrongTypeSaysWhatWasExpectedAndFound) {
@@ -111,8 +111,10 @@ TEST_F(ManifestFile, AWrongTypeSaysWhatWasExpectedAndFound) {
 }
 
 TEST_F(ManifestFile, AMissingKeyIsNamed) {
-  EXPECT_EQ(complaint(with("title = \"A spring\"\n", "")), "spring_1d/exercise.toml:1: key 'title': missing");
-  EXPECT_EQ(complaint(with("hint = \"Look at the sign.\"\n", "")), "spring_1d/exercise.toml:8: key 'hint': missing");
+  EXPECT_EQ(complaint(with("title = \"A spring\"\n", "")),
+            "spring_1d/exercise.toml:1: key 'title': missing in the manifest");
+  EXPECT_EQ(complaint(with("hint = \"Look at the sign.\"\n", "")),
+            "spring_1d/exercise.toml:8: key 'hint': missing in [[criterion]]");
 }
 
 TEST_F(ManifestFile, PointsMustAddUp) {

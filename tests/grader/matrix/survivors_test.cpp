@@ -56,15 +56,16 @@ TEST_F(SurvivorList, FindsItsMutationAgain) {
 TEST_F(SurvivorList, OfNoFileIsEmpty) { EXPECT_TRUE(readSurvivors("/nowhere/mutants.toml", "mutants.toml").empty()); }
 
 TEST_F(SurvivorList, NeedsAReason) {
-  EXPECT_EQ(complaint("[[survivor]]\nline = 'a'\nmutation = 'b'\n"), "mutants.toml:1: key 'reason': missing");
+  EXPECT_EQ(complaint("[[survivor]]\nline = 'a'\nmutation = 'b'\n"),
+            "mutants.toml:1: key 'reason': missing in [[survivor]]");
   EXPECT_EQ(complaint("[[survivor]]\nline = 'a'\nmutation = 'b'\nreason = ''\n"),
-            "mutants.toml:4: key 'reason': expected a text in quotes");
+            "mutants.toml:4: key 'reason': is empty");
 }
 
 TEST_F(SurvivorList, RefusesWhatItDoesNotKnow) {
   EXPECT_TRUE(complaint("[[survivor]]\nlines = 'a'\n").starts_with("mutants.toml:2: key 'lines': unknown"));
   EXPECT_TRUE(complaint("[[mutant]]\nline = 'a'\n").starts_with("mutants.toml:1: key 'mutant'"));
-  EXPECT_TRUE(complaint("[[survivor]\n").starts_with("mutants.toml:1: "));
+  EXPECT_TRUE(complaint("[[survivor]\n").find(".toml:1: ") != std::string::npos);
   EXPECT_TRUE(
       complaint("[[survivor]]\nline='a'\nmutation='b'\nreason='c'\noccurrence=0\n").starts_with("mutants.toml:5: "));
 }

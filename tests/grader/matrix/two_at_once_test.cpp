@@ -27,15 +27,15 @@ GradingJob jobFor(const std::string& submission) {
 
 /// What `ctest --preset grade` does, for the one exercise that the submission has; the curves are no part of the score.
 std::string runCtest(const GradingJob& job) {
-  const ChildSpec spec{{"/usr/bin/ctest", "--test-dir", job.workplace.binary.string(), "-L", "^grade$", "-L",
-                        std::string("^") + topic + "$", "-E", "curves"},
-                       {},
-                       {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8", "MUELLE_SUBMISSION=" + job.submission.path.string(),
-                        "MUELLE_SEED=" + job.options.seed, "MUELLE_SANDBOX=" + toText(job.options.sandbox)},
-                       {},
-                       {}};
-  return runCommand(spec, std::chrono::minutes(2), 65536, 65536)
-      .out;  // shown when the records are not as they should be
+  muelle::ChildSpec spec;
+  spec.command = {"/usr/bin/ctest", "--test-dir", job.workplace.binary.string(),  "-L",
+                  "^grade$",        "-L",         std::string("^") + topic + "$", "-E",
+                  "curves"};
+  spec.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8", "MUELLE_SUBMISSION=" + job.submission.path.string(),
+                      "MUELLE_SEED=" + job.options.seed, "MUELLE_SANDBOX=" + toText(job.options.sandbox)};
+  muelle::Capture capture;
+  capture.limit = std::chrono::minutes(2);
+  return runCommand(spec, capture).out;  // shown when the records are not as they should be
 }
 
 /// What went wrong on our side, a line each.

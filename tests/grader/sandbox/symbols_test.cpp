@@ -14,8 +14,9 @@ namespace {
 
 /// Demangled symbols of a program or archive, one line each, as nm prints them.
 std::vector<std::string> symbols(const std::string& file) {
-  const auto result = muelle::grader::runCommand({{"/usr/bin/nm", "-C", file}, {}, {}, {}, {}},
-                                                 std::chrono::seconds(20), 64 << 20, 65536);
+  muelle::ChildSpec spec;
+  spec.command = {"/usr/bin/nm", "-C", file};
+  const auto result = muelle::runCommand(spec, {std::chrono::seconds(20), 64 << 20, 65536, 0, false});
   EXPECT_FALSE(result.out.empty()) << "nm has read nothing of " << file << ": " << result.err;
   std::vector<std::string> lines;
   std::istringstream stream(result.out);
