@@ -14,6 +14,7 @@ void addDocs(CLI::App& app, int& status);
 #if MUELLE_HAS_GRADER
 void addGrade(CLI::App& app, int& status);
 void addTestTheTests(CLI::App& app, int& status);
+void addClean(CLI::App& app, int& status);
 #endif
 #if MUELLE_HAS_ENGINE
 void addRun(CLI::App& app, int& status);

@@ -21,7 +21,7 @@ using AddCommand = void (*)(CLI::App&, int&);
 constexpr AddCommand commands[] = {
     addCheck, addList,
 #if MUELLE_HAS_GRADER
-    addGrade, addTestTheTests,
+    addGrade, addTestTheTests, addClean,
 #endif
 #if MUELLE_HAS_ENGINE
     addRun,   addHardCases,    addFigures,

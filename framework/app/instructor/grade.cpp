@@ -1,8 +1,11 @@
-#include "grader/run/grade.h"
 #include "app/commands.h"
 #include "base/progress_bar.h"
 #include "base/terminal.h"
+#include "grader/class/grade_class.h"
+#include "grader/intake/class_folder.h"
 #include "grader/report/report.h"
+#include "grader/report/report_folder.h"
+#include "grader/run/grade.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -19,41 +22,41 @@ namespace {
 
 struct GradeCommand {
   std::string submission;
+  std::string classFolder;
   std::string out;
   std::string seed;
   std::string sandbox = "auto";
+  std::vector<std::string> only;
   int jobs = 0;
   bool unsafe = false;
   bool fresh = false;
 };
 
-/// out/NAME, so that two submissions do not write over each other.
-fs::path reportFolder(const GradeCommand& command) {
-  if (!command.out.empty()) return command.out;
-  fs::path name = fs::path(command.submission).lexically_normal();
-  if (name.filename().empty()) name = name.parent_path();  // "solutions/"
-  return fs::path("out") / (name.stem().empty() || name.stem() == "." ? fs::path("submission") : name.stem());
-}
-
-/// One backend for the whole run: it is tried once, and every step is told which it is.
-grader::SandboxChoice settleSandbox(const GradeCommand& command) {
-  const auto wanted = command.unsafe ? grader::SandboxChoice::Unsafe : grader::parseSandboxChoice(command.sandbox);
-  return grader::makeSandbox(wanted)->choice();
-}
-
-int gradeSubmission(const GradeCommand& command) {
+grader::Grader openGrader(const GradeCommand& command) {
   grader::GradeOptions options;
   options.seed = command.seed;
   options.fresh = command.fresh;
-  options.sandbox = settleSandbox(command);
-  const grader::GradingJob job = grader::openJob(grader::Workplace::ofThisBuild(), command.submission, options);
-  const int jobs = command.jobs > 0 ? command.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  options.sandbox =
+      command.unsafe ? grader::SandboxChoice::Unsafe : grader::parseSandboxChoice(command.sandbox);
+  return grader::openGrader(grader::Workplace::ofThisBuild(), options, command.only);
+}
 
+int jobsOf(const GradeCommand& command) {
+  return command.jobs > 0 ? command.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+int gradeSubmission(const GradeCommand& command) {
+  grader::Grader grader = openGrader(command);
+  if (const auto why = grader::looksLikeAClass(command.submission, grader.course())) {
+    throw std::invalid_argument(*why);
+  }
+  grader::Submission submission = grader::takeSubmission(command.submission, grader.course());
   ProgressBar bar("grading");
-  const grader::GradedSubmission graded =
-      grader::grade(job, jobs, [&bar](int done, int all) { bar.update(static_cast<double>(done) / all); });
+  grader.onProgress([&] { bar.update(static_cast<double>(grader.finished()) / std::max(1, grader.known())); });
+  const grader::GradedSubmission graded = grader::grade(grader, std::move(submission), jobsOf(command));
 
-  const fs::path folder = reportFolder(command);
+  const fs::path folder =
+      command.out.empty() ? grader::reportFolder("out", command.submission) : fs::path(command.out);
   grader::writeReports(graded, folder);
   fmt::print("{}", grader::terminalTable(graded, coloursWanted(), terminalWidth()));
   fmt::print("\nreport: {}\n        {}\n        {}\n", (folder / "report.html").string(),
@@ -65,16 +68,43 @@ int gradeSubmission(const GradeCommand& command) {
   return 1;
 }
 
+int gradeClass(const GradeCommand& command) {
+  grader::Grader grader = openGrader(command);
+  grader::ClassOptions options;
+  options.folder = command.classFolder;
+  options.out = command.out.empty() ? grader::reportFolder("out", command.classFolder) : fs::path(command.out);
+  options.jobs = jobsOf(command);
+  ProgressBar bar("grading the class");
+  const grader::GradedClass graded =
+      grader::gradeClass(grader, options, [&bar](double fraction) { bar.update(fraction); });
+  fmt::print("{}", grader::classTable(graded, coloursWanted(), terminalWidth()));
+  fmt::print("\nclass:  {}\ngrades: {}\n", (options.out / "class.html").string(),
+             (options.out / "grades.csv").string());
+  if (!graded.hasFault()) return 0;
+  fmt::print(stderr, "muelle: {} of {} submissions have no score (see the notes): mend what is broken, then type the "
+                     "same command again\n",
+             graded.faults(), graded.rows.size());
+  return 1;
+}
+
+int run(const GradeCommand& command) {
+  const bool isClass = !command.classFolder.empty();
+  if (isClass == !command.submission.empty()) {
+    throw std::invalid_argument("give one submission, or --class FOLDER with a submission in each child");
+  }
+  return isClass ? gradeClass(command) : gradeSubmission(command);
+}
+
 }  // namespace
 
 void addGrade(CLI::App& app, int& status) {
   const auto options = std::make_shared<GradeCommand>();
-  CLI::App* command = app.add_subcommand("grade", "Grade a submission with the hidden tests, in a sandbox");
-  command
-      ->add_option("SUBMISSION", options->submission,
-                   "A folder or an archive (zip, tar, 7z) with TOPIC/TOPIC.cpp, or the files flat")
-      ->required();
-  command->add_option("--out", options->out, "Folder for report.html, results.json and results.xml [out/NAME]");
+  CLI::App* command = app.add_subcommand("grade", "Grade submissions with the hidden tests, in a sandbox");
+  command->add_option("SUBMISSION", options->submission,
+                      "A folder or an archive (zip, tar, 7z) with TOPIC/TOPIC.cpp, or the files flat");
+  command->add_option("--class", options->classFolder, "A folder in which each child is one submission");
+  command->add_option("--only", options->only, "Only these exercises, separated by commas")->delimiter(',');
+  command->add_option("--out", options->out, "Folder for the reports [out/NAME]");
   command->add_option("--jobs,-j", options->jobs, "Tests at a time [the number of cores]")->check(CLI::Range(1, 256));
   command->add_option("--seed", options->seed,
                       "The instructor's seed, from which all random inputs derive [kept in the build folder]");
@@ -82,10 +112,12 @@ void addGrade(CLI::App& app, int& status) {
   command->add_flag("--unsafe", options->unsafe, "No sandbox: only for files that you trust");
   command->add_flag("--fresh", options->fresh, "Build and run again what has been graded before");
   command->footer(
-      "Exit code: 0 when it graded, whatever the score; 1 when the grader itself failed; 2 bad usage or input.\n"
+      "Exit code: 0 when it graded, whatever the score; 1 when the grader itself failed on something, which then has\n"
+      "no score (type the same command again); 2 bad usage or input.\n"
       "Examples: ./muelle grade solutions\n"
-      "          ./muelle grade hand-in.zip --out reports/hand-in");
-  command->callback([options, &status] { status = gradeSubmission(*options); });
+      "          ./muelle grade hand-in.zip --out reports/hand-in\n"
+      "          ./muelle grade --class submissions --only spring_1d,spring_3d");
+  command->callback([options, &status] { status = run(*options); });
 }
 
 }  // namespace muelle::app

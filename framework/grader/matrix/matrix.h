@@ -1,7 +1,7 @@
 #pragma once
 #include "grader/matrix/expectation.h"
 #include "grader/matrix/survivors.h"
-#include "grader/run/run_criterion.h"
+#include "grader/run/keys.h"
 
 #include <functional>
 #include <map>

@@ -3,41 +3,25 @@
 #include "grader/run/grade.h"
 
 #include <algorithm>
-#include <atomic>
+#include <memory>
 #include <mutex>
-#include <stdexcept>
-#include <thread>
 
 namespace muelle::grader {
 
 namespace {
 
 using Status = BuildOutcome::Status;
-using Task = std::function<void()>;
 
-/// What the workers of one run share.
-struct Run {
-  const Workplace& workplace;
-  const MatrixOptions& options;
-  const Sandbox& sandbox;
-};
-
-void gradeRow(const Run& run, const Manifest& manifest, MatrixRow& row) {
-  const BuildOutcome build = buildWorker(run.workplace, manifest, row.sources, run.sandbox);
-  if (build.status != Status::Built) {
-    row.trouble = build.message;
+/// What became of a row.
+void fill(MatrixRow& row, const GradedExercise& graded) {
+  if (graded.build.status != Status::Built) {
+    row.trouble = graded.build.message;
     return;
   }
-  const std::string worker = workerKey(run.workplace, manifest, row.sources);
-  GradedExercise graded;
-  graded.manifest = manifest;
-  graded.build = build;
-  for (const Criterion& criterion : manifest.criteria) {
-    const Verdict verdict = runCriterion(run.workplace, manifest, criterion, worker, run.options.grading);
-    if (!verdict.graderFault.empty()) row.trouble = criterion.suite + ": " + verdict.graderFault;
-    if (!verdict.passed()) row.lost.insert(criterion.suite);
+  for (const auto& [suite, verdict] : graded.verdicts) {
+    if (!verdict.graderFault.empty()) row.trouble = suite + ": " + verdict.graderFault;
+    if (!verdict.passed()) row.lost.insert(suite);
     for (const NamedMistake& mistake : verdict.misconceptions) row.named.insert(mistake.id);
-    graded.verdicts.emplace(criterion.suite, verdict);
   }
   row.points = score(graded);
 }
@@ -65,95 +49,126 @@ class KillOrder {
   std::vector<int> kills_;
 };
 
-void gradeMutant(const Run& run, const Manifest& manifest, const Sources& solution, KillOrder& killOrder,
-                 Mutant& mutant) {
-  const std::string& name = manifest.files.front();
-  Sources sources = solution;
-  sources[name] = mutated(solution.at(name), mutant.mutation);
-  const BuildOutcome build = buildWorker(run.workplace, manifest, sources, run.sandbox);
-  if (build.status == Status::GraderFault) mutant.trouble = build.message;
-  if (build.status != Status::Built) {
-    mutant.fate = Mutant::Fate::NotCompilable;
-    return;
+/// One mutant, criterion by criterion until one is lost.
+class MutantRun {
+ public:
+  MutantRun(Grader& grader, Pool& pool, const Manifest& manifest, const Sources& solution, KillOrder& killOrder,
+            Mutant& mutant)
+      : grader_(grader), pool_(pool), manifest_(manifest), killOrder_(killOrder), mutant_(mutant), sources_(solution) {
+    const std::string& name = manifest.files.front();
+    sources_[name] = mutated(solution.at(name), mutant.mutation);
   }
-  const std::string worker = workerKey(run.workplace, manifest, sources);
-  for (const std::size_t i : killOrder.order()) {  // an earlier run may have tried them in another order
-    const std::string& suite = manifest.criteria[i].suite;
-    const auto kept =
-        keptVerdict(run.workplace, verdictKey(run.workplace, manifest, suite, worker, run.options.grading));
-    if (!kept || kept->passed() || run.options.grading.fresh) continue;
-    mutant.fate = Mutant::Fate::Killed;
-    mutant.killer = suite;
-    killOrder.addKill(i);
-    return;
-  }
-  for (const std::size_t i : killOrder.order()) {
-    const Criterion& criterion = manifest.criteria[i];
-    const Verdict verdict = runCriterion(run.workplace, manifest, criterion, worker, run.options.grading);
-    if (!verdict.graderFault.empty()) {
-      mutant.trouble = criterion.suite + ": " + verdict.graderFault;
-      return;
-    }
-    if (!verdict.passed()) {
-      mutant.fate = Mutant::Fate::Killed;
-      mutant.killer = criterion.suite;
-      killOrder.addKill(i);
-      return;
-    }
-  }
-}
 
-/// Runs tasks in several threads; the first exception ends them all and is thrown on.
-void runTasks(const std::vector<Task>& tasks, int jobs, const MatrixListener& progress) {
-  std::atomic<std::size_t> next{0};
-  std::mutex mutex;
-  std::size_t done = 0;
-  std::exception_ptr failure;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < tasks.size(); i = next++) {
-      try {
-        tasks[i]();
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        if (!failure) failure = std::current_exception();
-        next = tasks.size();
-      }
-      const std::lock_guard lock(mutex);
-      ++done;
-      if (progress) progress(static_cast<double>(done) / static_cast<double>(tasks.size()));
+  /// \param isAlone believes what died or ran out of time; else that is tried again, alone
+  void run(bool isAlone) {
+    const BuildAttempt built = buildObject(grader_.workplace(), grader_.objects(), manifest_, sources_,
+                                           grader_.sandbox(), grader_.options(), isAlone);
+    if (built.isDoubtful && !isAlone) return tryAlone();
+    const BuildOutcome& outcome = built.object.outcome;
+    if (outcome.status == Status::GraderFault) mutant_.trouble = outcome.message;
+    mutant_.fate = outcome.status == Status::Built ? Mutant::Fate::Survived : Mutant::Fate::NotCompilable;
+    if (outcome.status != Status::Built) return;
+    const Candidate candidate{
+        manifest_, sources_, objectKey(grader_.workplace(), manifest_, sources_, grader_.options().sandbox),
+        built.object};
+    if (!isKilledAlready(candidate)) judge(candidate, isAlone);
+  }
+
+ private:
+  void tryAlone() {
+    pool_.addAlone([copy = *this]() mutable { copy.run(true); });
+  }
+
+  void kill(std::size_t criterion) {
+    mutant_.fate = Mutant::Fate::Killed;
+    mutant_.killer = manifest_.criteria[criterion].suite;
+    killOrder_.addKill(criterion);
+  }
+
+  /// An earlier run may have tried the criteria in another order.
+  bool isKilledAlready(const Candidate& candidate) {
+    if (grader_.options().fresh) return false;
+    for (const std::size_t i : killOrder_.order()) {
+      const auto kept = keptVerdict(grader_.workplace(), grader_.records(), candidate, manifest_.criteria[i],
+                                    grader_.options());
+      if (!kept || kept->passed()) continue;
+      kill(i);
+      return true;
     }
-  };
-  std::vector<std::thread> threads;
-  for (int i = 0; i < jobs; ++i) threads.emplace_back(work);
-  for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
-}
+    return false;
+  }
+
+  void judge(const Candidate& candidate, bool isAlone) {
+    for (const std::size_t i : killOrder_.order()) {
+      const Criterion& criterion = manifest_.criteria[i];
+      const Verdict verdict =
+          judgeCriterion(grader_.workplace(), grader_.records(), candidate, criterion, grader_.options());
+      if (isDoubtful(verdict) && !isAlone) return tryAlone();
+      if (!verdict.graderFault.empty()) {
+        mutant_.trouble = criterion.suite + ": " + verdict.graderFault;
+        return;
+      }
+      if (!verdict.passed()) return kill(i);
+    }
+  }
+
+  Grader& grader_;
+  Pool& pool_;
+  const Manifest& manifest_;
+  KillOrder& killOrder_;
+  Mutant& mutant_;
+  Sources sources_;
+};
+
+/// How much is done, for a progress bar.
+class Counter {
+ public:
+  explicit Counter(const MatrixListener& listener) : listener_(listener) {}
+  void expectOne() { ++all_; }
+  void count() {
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    if (listener_) listener_(static_cast<double>(done_) / all_);
+  }
+
+ private:
+  const MatrixListener& listener_;
+  std::mutex mutex_;
+  int done_ = 0;
+  int all_ = 0;
+};
 
 }  // namespace
 
 void runMatrix(const Workplace& workplace, std::vector<TopicMatrix>& matrices, const MatrixOptions& options,
                const MatrixListener& progress) {
-  const auto sandbox = makeSandbox(options.grading.sandbox);
-  MatrixOptions settled = options;
-  settled.grading.sandbox = sandbox->choice();
-  const Run run{workplace, settled, *sandbox};
-  std::vector<Task> tasks;
-  std::vector<std::unique_ptr<KillOrder>> killOrders;
+  GradeOptions grading = options.grading;
+  grading.withCurves = false;
+  Grader grader(workplace, {}, grading, makeSandbox(grading.sandbox));
+  Pool pool(options.jobs);
+  Counter counter(progress);
   for (TopicMatrix& matrix : matrices) {
-    for (MatrixRow& row : matrix.rows)
-      tasks.emplace_back([&run, &matrix, &row] { gradeRow(run, matrix.manifest, row); });
-  }
-  for (TopicMatrix& matrix : matrices) {
-    killOrders.push_back(std::make_unique<KillOrder>(matrix.manifest));
-    KillOrder& killOrder = *killOrders.back();
-    const Sources& solution = matrix.rows.front().sources;
-    for (Mutant& mutant : matrix.mutants) {
-      tasks.emplace_back([&run, &matrix, &solution, &killOrder, &mutant] {
-        gradeMutant(run, matrix.manifest, solution, killOrder, mutant);
+    for (MatrixRow& row : matrix.rows) {
+      counter.expectOne();
+      grader.addExercise(pool, matrix.manifest, &row.sources, "", [&row, &counter](const GradedExercise& graded) {
+        fill(row, graded);
+        counter.count();
       });
     }
   }
-  runTasks(tasks, options.jobs, progress);
+  std::vector<std::unique_ptr<KillOrder>> killOrders;
+  for (TopicMatrix& matrix : matrices) {
+    killOrders.push_back(std::make_unique<KillOrder>(matrix.manifest));
+    for (Mutant& mutant : matrix.mutants) {
+      counter.expectOne();
+      MutantRun run(grader, pool, matrix.manifest, matrix.rows.front().sources, *killOrders.back(), mutant);
+      pool.append([run, &counter]() mutable {
+        run.run(false);
+        counter.count();
+      });
+    }
+  }
+  pool.run();
 }
 
 }  // namespace muelle::grader

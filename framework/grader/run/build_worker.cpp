@@ -1,15 +1,10 @@
 #include "grader/run/build_worker.h"
 
-#include "base/build_paths.h"
 #include "base/file.h"
-#include "course/check/diagnostics.h"
-#include "grader/record.h"
-#include "grader/run/digest.h"
-#include "grader/run/shared_prelude.h"
+#include "course/check/compile_verdict.h"
+#include "grader/run/compile.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace muelle::grader {
@@ -17,73 +12,11 @@ namespace muelle::grader {
 namespace {
 
 namespace fs = std::filesystem;
+using Status = BuildOutcome::Status;
 
-/// The compiler's own limits, so that a template or constexpr bomb ends early with words instead of by force.
-constexpr const char* compilerLimits = "-w -fmax-errors=20 -ftemplate-depth=400 -fconstexpr-ops-limit=10000000";
-constexpr const char* linkFlags = "-shared -Wl,-Bsymbolic,-z,defs,-z,now,-z,noexecstack,--build-id=none";
-
-/// Exit statuses of the script below: which of its commands failed.
-constexpr int compileFailed = 10;
-constexpr int linkFailed = 11;
-
-/// Runs inside the sandbox, in its root folder, which only some backends can make "/". Nothing of the student's runs
-/// here, only the compiler does; the product leaves by stdout.
-std::string script(const std::vector<std::string>& names) {
-  std::string files;
-  for (const std::string& name : names) files += " ../submission/" + name;
-  return fmt::format(
-      "cd tmp && {0} {1} {2} {7} -I../prelude -include prelude.h -I../contract -I../framework -isystem ../eigen -c{3} "
-      "|| exit {4}\n{0} {5} *.o -Wl,--whole-archive ../glue.a -Wl,--no-whole-archive -o submission.so || exit {6}\ncat "
-      "submission.so\n",
-      fs::canonical(build_paths::compiler).string(), build_paths::studentFlags, compilerLimits, files, compileFailed,
-      linkFlags, linkFailed, fmt::join(diagnosticFlags(), " "));
-}
-
-/// Every header of the harness's top folder: what a contract and a student may include.
-void addHarnessHeaders(const Workplace& workplace, std::vector<VisibleFile>& files) {
-  for (const auto& entry : fs::directory_iterator(workplace.harness())) {
-    if (entry.path().extension() == ".h") {
-      files.push_back({"/framework/harness/" + entry.path().filename().string(), entry.path(), "", false});
-    }
-  }
-  std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.inside < b.inside; });
-}
-
-std::vector<std::string> namesOf(const Sources& sources) {
-  std::vector<std::string> names;
-  for (const auto& [name, content] : sources) names.push_back(name);
-  return names;
-}
-
-/// The precompiled header is large: it is mounted, and handed over as content only when that cannot be.
-void addPrelude(const Workplace& workplace, Confinement& confinement) {
-  if (const auto folder = sharedPrelude(workplace)) {
-    confinement.renamedFolders[folder->string()] = "/prelude";
-  } else {
-    confinement.files.push_back({"/prelude/prelude.h.gch", workplace.prelude(), "", false});
-  }
-}
-
-Confinement compilation(const Workplace& workplace, const Manifest& manifest, const Sources& sources,
-                        const CompileLimits& limits) {
-  Confinement confinement;
-  for (const auto& [name, content] : sources) {
-    confinement.files.push_back({"/submission/" + name, {}, content, false});
-  }
-  confinement.files.push_back({"/contract/" + manifest.topic + ".h", workplace.contract(manifest.topic), "", false});
-  confinement.files.push_back({"/glue.a", workplace.glue(manifest.topic), "", false});
-  addPrelude(workplace, confinement);
-  addHarnessHeaders(workplace, confinement.files);
-  confinement.command = {"/usr/bin/sh", "-c", script(namesOf(sources))};
-  confinement.systemFolders = {"/usr/bin", "/usr/lib", "/usr/include"};
-  if (fs::exists("/usr/lib64")) confinement.systemFolders.emplace_back("/usr/lib64");
-  confinement.renamedFolders[build_paths::eigen] = "/eigen";
-  confinement.scratchBytes = limits.scratch;
-  confinement.limits.addressSpace = limits.memory;
-  confinement.limits.fileSize = limits.scratch;
-  confinement.limits.cpuSeconds = static_cast<unsigned>(limits.time.count()) + 1;
-  return confinement;
-}
+constexpr const char* outcomeSuffix = ".build";
+constexpr const char* objectSuffix = ".so";
+constexpr const char* sanitisedSuffix = ".asan.so";
 
 std::vector<StudentFile> studentFiles(const Sources& sources) {
   std::vector<StudentFile> files;
@@ -91,107 +24,135 @@ std::vector<StudentFile> studentFiles(const Sources& sources) {
   return files;
 }
 
-/// The compiler's complaints, cut to the student's own lines.
-BuildOutcome explainCompiler(const std::string& words, const Sources& sources) {
-  const std::vector<StudentFile> files = studentFiles(sources);
-  const std::vector<Diagnostic> diagnostics = parseDiagnostics(words, files);
-  BuildOutcome outcome{BuildOutcome::Status::CompileError, "it does not compile", cutDiagnostics(words, files)};
-  if (diagnostics.empty()) return outcome;
-  const Diagnostic& first = diagnostics.front();
-  outcome.message = fmt::format("it does not compile: {}:{}: {}", first.file, first.line, first.message);
-  return outcome;
-}
+/// One hand-in on its way to a shared object.
+class Builder {
+ public:
+  Builder(const Workplace& workplace, const Store& store, const Manifest& manifest, const Sources& sources,
+          const Sandbox& sandbox, const GradeOptions& options)
+      : workplace_(workplace),
+        store_(store),
+        manifest_(manifest),
+        sources_(sources),
+        sandbox_(sandbox),
+        key_(objectKey(workplace, manifest, sources, sandbox.choice())),
+        fresh_(options.fresh) {}
 
-BuildOutcome explainLinker(const Workplace& workplace, const std::string& words, const Manifest& manifest,
-                           const Sources& sources) {
-  const fs::path contract = workplace.contract(manifest.topic);
-  return {BuildOutcome::Status::CompileError, "it compiles, but does not fit its contract",
-          explainLinkErrors(words, studentFiles(sources), readFile(contract), contract.filename().string())};
-}
-
-BuildOutcome judge(const Workplace& workplace, const CommandResult& result, const Manifest& manifest,
-                   const Sources& sources, const CompileLimits& limits) {
-  using Status = BuildOutcome::Status;
-  if (result.timedOut) {
-    return {Status::CompileError, fmt::format("compiling took longer than {} s", limits.time.count()), ""};
+  BuildAttempt build(bool isLastTry) const {
+    if (!fresh_) {
+      if (const auto kept = this->kept()) return {*kept, false, false};
+    }
+    const Compilation compilation = compile(workplace_, manifest_, sources_, sandbox_);
+    const CompileVerdict verdict = verdictOn(compilation, sources_);
+    if (verdict.outcome == Outcome::Passed) return {keep(compilation, verdict), false, true};
+    if (verdict.isCertain) return {refuse(verdict), false, true};
+    if (!isLastTry) return {ours(verdict.message), true, true};
+    // The machine's fault, unless a known good file compiles where this one has died twice.
+    const std::string broken = whyTheProbeFails();
+    if (!broken.empty() || verdict.isMachines) {
+      return {ours(broken.empty() ? verdict.message : verdict.message + "; " + broken), false, true};
+    }
+    return {refuse(verdict), false, true};
   }
-  const bool ended = !result.status.signalled;
-  if (ended && result.status.code == 0) {
-    if (!result.outCut) return {Status::Built, "", ""};
-    return {Status::CompileError, fmt::format("the compiled file is larger than {} MiB", limits.product >> 20), ""};
-  }
-  if (ended && result.status.code == compileFailed) return explainCompiler(result.err, sources);
-  if (ended && result.status.code == linkFailed) return explainLinker(workplace, result.err, manifest, sources);
-  if (!ended || result.status.code > 128) {
-    return {Status::CompileError, "the compiler ran out of time, memory or space", result.err.substr(0, 2000)};
-  }
-  return {Status::GraderFault, "the compiler could not be run in the sandbox: " + result.err.substr(0, 500), ""};
-}
 
-nlohmann::json toJson(const BuildOutcome& outcome) {
-  return {
-      {"status", static_cast<int>(outcome.status)}, {"message", outcome.message}, {"diagnostics", outcome.diagnostics}};
-}
+ private:
+  CompileVerdict verdictOn(const Compilation& compilation, const Sources& sources) const {
+    const fs::path contract = workplace_.contract(manifest_.topic);
+    CompileRun run;
+    run.failed = compilation.stage == Compilation::Stage::Done        ? CompileRun::Stage::None
+                 : compilation.stage == Compilation::Stage::Compiling ? CompileRun::Stage::Compiling
+                 : compilation.stage == Compilation::Stage::Linking   ? CompileRun::Stage::Linking
+                                                                      : CompileRun::Stage::Unknown;
+    run.result = compilation.run;
+    run.symbols = compilation.symbols;
+    return judgeCompilation(run, studentFiles(sources), readFile(contract), contract.filename().string(),
+                            workplace_.limits, workplace_.largestProduct);
+  }
 
-/// A new compiler package rebuilds the workers.
-std::string compilerVersion() { return fs::canonical(build_paths::compiler).string() + __VERSION__; }
+  /// "" when a known good file with the same includes compiles here and now.
+  std::string whyTheProbeFails() const {
+    const Sources probe{{manifest_.files.front(), probeSource(studentFiles(sources_), manifest_.topic + ".h")}};
+    const Compilation compilation = compile(workplace_, manifest_, probe, sandbox_);
+    // It defines no function of the contract: to get as far as the linker's complaint about that is good.
+    if (compilation.stage == Compilation::Stage::Done || compilation.stage == Compilation::Stage::Linking) {
+      const CompileVerdict verdict = verdictOn(compilation, probe);
+      if (verdict.outcome == Outcome::Passed || (verdict.isCertain && verdict.outcome == Outcome::Link)) return "";
+      return verdict.message;
+    }
+    return "a known good file does not compile either: " + compilation.run.err.substr(0, 300);
+  }
+
+  std::optional<BuiltObject> kept() const {
+    const auto text = store_.read(key_, outcomeSuffix);
+    if (!text) return std::nullopt;
+    const nlohmann::json document = nlohmann::json::parse(*text, nullptr, false);
+    if (!document.is_object() || !document.contains("status") || !document.contains("sanitised")) return std::nullopt;
+    BuiltObject object;
+    object.outcome.status = static_cast<Status>(document["status"].get<int>());
+    object.outcome.outcome = outcomeNamed(document["outcome"].get<std::string>());
+    object.outcome.message = document["message"].get<std::string>();
+    object.outcome.diagnostics = document["diagnostics"].get<std::string>();
+    object.plain = store_.file(key_, objectSuffix);
+    if (document["sanitised"].get<bool>()) object.sanitised = store_.file(key_, sanitisedSuffix);
+    const bool isWhole = object.outcome.status != Status::Built ||
+                         (store_.has(key_, objectSuffix) &&
+                          (object.sanitised.empty() || store_.has(key_, sanitisedSuffix)));
+    return isWhole ? std::optional(object) : std::nullopt;
+  }
+
+  void write(const BuiltObject& object) const {
+    const nlohmann::json document{{"status", static_cast<int>(object.outcome.status)},
+                                  {"outcome", std::string(nameOf(object.outcome.outcome))},
+                                  {"message", object.outcome.message},
+                                  {"diagnostics", object.outcome.diagnostics},
+                                  {"sanitised", !object.sanitised.empty()}};
+    store_.write(key_, outcomeSuffix, document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
+  }
+
+  /// The objects first: whoever reads the outcome finds them.
+  BuiltObject keep(const Compilation& compilation, const CompileVerdict& verdict) const {
+    BuiltObject object;
+    object.outcome = {Status::Built, "", verdict.diagnostics, Outcome::Passed};
+    store_.write(key_, objectSuffix, compilation.run.out);
+    object.plain = store_.file(key_, objectSuffix);
+    if (verdict.wantsSecondLook) {
+      const Compilation second = compile(workplace_, manifest_, sources_, sandbox_, Build::Sanitised);
+      if (second.stage != Compilation::Stage::Done) {
+        return ours("the build with sanitizers failed: " + second.run.err.substr(0, 300));
+      }
+      store_.write(key_, sanitisedSuffix, second.run.out);
+      object.sanitised = store_.file(key_, sanitisedSuffix);
+    }
+    write(object);
+    return object;
+  }
+
+  BuiltObject refuse(const CompileVerdict& verdict) const {
+    BuiltObject object;
+    object.outcome = {Status::CompileError, verdict.message, verdict.diagnostics, verdict.outcome};
+    write(object);
+    return object;
+  }
+
+  static BuiltObject ours(const std::string& what) {
+    BuiltObject object;
+    object.outcome = {Status::GraderFault, what, "", Outcome::Killed};
+    return object;
+  }
+
+  const Workplace& workplace_;
+  const Store& store_;
+  const Manifest& manifest_;
+  const Sources& sources_;
+  const Sandbox& sandbox_;
+  const std::string key_;
+  const bool fresh_;
+};
 
 }  // namespace
 
-std::string workerKey(const Workplace& workplace, const Manifest& manifest, const Sources& sources) {
-  std::string content;
-  for (const auto& [name, text] : sources) content += digest({name, text});
-  std::vector<VisibleFile> headers;
-  addHarnessHeaders(workplace, headers);
-  for (const VisibleFile& header : headers) content += digestOfFile(header.source);
-  return digest({manifest.topic, content, readFile(workplace.contract(manifest.topic)),
-                 digestOfFile(workplace.glue(manifest.topic)), script(namesOf(sources)), compilerVersion()});
-}
-
-fs::path workerFolder(const Workplace& workplace, const std::string& key) { return workplace.workers() / key; }
-
-fs::path submissionObject(const Workplace& workplace, const std::string& key) {
-  return workerFolder(workplace, key) / "submission.so";
-}
-
-std::optional<BuildOutcome> readBuildOutcome(const Workplace& workplace, const std::string& key) {
-  const fs::path file = workerFolder(workplace, key) / "build.json";
-  if (!fs::exists(file)) return std::nullopt;
-  try {
-    const nlohmann::json document = nlohmann::json::parse(readFile(file));
-    BuildOutcome outcome;
-    outcome.status = static_cast<BuildOutcome::Status>(document.at("status").get<int>());
-    document.at("message").get_to(outcome.message);
-    document.at("diagnostics").get_to(outcome.diagnostics);
-    if (outcome.status == BuildOutcome::Status::Built && !fs::exists(submissionObject(workplace, key)))
-      return std::nullopt;
-    return outcome;
-  } catch (const nlohmann::json::exception&) {
-    return std::nullopt;
-  }
-}
-
-BuildOutcome buildWorker(const Workplace& workplace, const Manifest& manifest, const Sources& sources,
-                         const Sandbox& sandbox, const CompileLimits& limits) {
-  const std::string key = workerKey(workplace, manifest, sources);
-  if (const auto earlier = readBuildOutcome(workplace, key);
-      earlier && earlier->status != BuildOutcome::Status::GraderFault) {
-    return *earlier;  // a fault of the grader's is tried again
-  }
-  BuildOutcome outcome;
-  try {
-    const CommandResult result =
-        sandbox.run(compilation(workplace, manifest, sources, limits), limits.time, limits.product, limits.diagnostics);
-    outcome = judge(workplace, result, manifest, sources, limits);
-    fs::create_directories(workerFolder(workplace, key));
-    if (outcome.status == BuildOutcome::Status::Built) writeFile(submissionObject(workplace, key), result.out);
-  } catch (const std::exception& error) {
-    outcome = {BuildOutcome::Status::GraderFault, error.what(), ""};
-  }
-  fs::create_directories(workerFolder(workplace, key));
-  writeFile(workerFolder(workplace, key) / "build.json",
-            toJson(outcome).dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
-  return outcome;
+BuildAttempt buildObject(const Workplace& workplace, const Store& store, const Manifest& manifest,
+                         const Sources& sources, const Sandbox& sandbox, const GradeOptions& options, bool isLastTry) {
+  return Builder(workplace, store, manifest, sources, sandbox, options).build(isLastTry);
 }
 
 }  // namespace muelle::grader

@@ -1,122 +1,128 @@
 #include "grader/run/grade.h"
 
+#include "grader/run/exercise_run.h"
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <ctime>
+#include <mutex>
 
 namespace muelle::grader {
 
 namespace {
 
-namespace fs = std::filesystem;
+constexpr std::uintmax_t largestStore = 2ULL << 30;  // [bytes] objects, and as much for records
 
-/// Long enough for the slowest class of machines; every test has shorter limits of its own.
-constexpr auto ctestLimit = std::chrono::minutes(30);
+/// A submission of which exercises are still being graded.
+struct Unfinished {
+  std::mutex mutex;
+  GradedSubmission graded;
+  std::size_t missing = 0;
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  std::function<void(GradedSubmission)> done;
 
-int testCount(const GradingJob& job) {
-  std::size_t count = 0;
-  for (const Manifest& manifest : job.course) count += manifest.criteria.size() + 2;
-  return static_cast<int>(count);
+  void finish() {
+    graded.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    done(std::move(graded));
+  }
+};
+
+/// Sources of one exercise, or null when they are missing or refused.
+const Sources* sourcesOf(const Submission& submission, const Manifest& manifest) {
+  const auto found = submission.sources.find(manifest.topic);
+  if (found == submission.sources.end() || found->second.size() != manifest.files.size()) return nullptr;
+  return &found->second;
 }
 
-/// CTest prints one line a finished test: "12/54 Test #3: ...".
-int finishedTests(const std::string& line) {
-  int done = 0;
-  int all = 0;
-  return std::sscanf(line.c_str(), " %d/%d Test", &done, &all) == 2 ? done : 0;
-}
-
-void runCtest(const GradingJob& job, int jobs, const ProgressListener& progress) {
-  Pipe out = makePipe();
-  ChildSpec spec;
-  spec.command = {"/usr/bin/ctest", "--test-dir", job.workplace.binary.string(), "-L",
-                  "^grade$",        "-j",         std::to_string(jobs)};
-  spec.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8", "MUELLE_SUBMISSION=" + job.submission.path.string(),
-                      "MUELLE_SEED=" + job.options.seed, "MUELLE_SANDBOX=" + toText(job.options.sandbox)};
-  spec.descriptors = {{1, out.write.get()}, {2, out.write.get()}};
-  Child ctest(spec);
-  out.write.reset();
-  std::string line;
-  char c = 0;
-  char buffer[4096];
-  ssize_t got = 0;
-  while ((got = read(out.read.get(), buffer, sizeof buffer)) > 0) {
-    for (ssize_t i = 0; i < got; ++i) {
-      c = buffer[i];
-      if (c != '\n') {
-        line += c;
-        continue;
-      }
-      if (const int done = finishedTests(line); done > 0 && progress) progress(done, testCount(job));
-      line.clear();
-    }
-  }
-  ctest.wait(std::chrono::steady_clock::now() + ctestLimit);  // its exit status says nothing: only records count
-}
-
-std::string backendDescription(SandboxChoice choice) { return settledSandbox(choice)->description(); }
-
-GradedExercise collectExercise(const GradingJob& job, const Manifest& manifest) {
-  using Status = BuildOutcome::Status;
-  GradedExercise graded;
-  graded.manifest = manifest;
-  const Sources* sources = job.sources(manifest);
-  if (sources == nullptr) {
-    const auto refused = job.submission.refused.find(manifest.topic);
-    const bool wasRefused = refused != job.submission.refused.end();
-    graded.build = {wasRefused ? Status::Refused : Status::Missing,
-                    wasRefused ? refused->second : fmt::format("the submission has no {}", manifest.files.front()), ""};
-    return graded;
-  }
-  const std::string worker = workerKey(job.workplace, manifest, *sources);
-  graded.build = readBuildOutcome(job.workplace, worker)
-                     .value_or(BuildOutcome{Status::GraderFault, "the worker was never built", ""});
-  if (graded.build.status != Status::Built) return graded;
-  for (const Criterion& criterion : manifest.criteria) {
-    const std::string key = verdictKey(job.workplace, manifest, criterion.suite, worker, job.options);
-    if (auto verdict = writtenVerdict(job.workplace, key)) graded.verdicts.emplace(criterion.suite, *verdict);
-  }
-  const auto curves = keptCurves(job.workplace, manifest, worker, job.options);
-  if (curves) graded.figures = curves->svgs;
-  graded.figuresNote = curves ? curves->note : "the curves were not drawn";
-  return graded;
+std::string refusalOf(const Submission& submission, const Manifest& manifest) {
+  const auto refused = submission.refused.find(manifest.topic);
+  return refused == submission.refused.end() ? "" : refused->second;
 }
 
 }  // namespace
 
-GradedSubmission grade(const GradingJob& job, int jobs, const ProgressListener& progress) {
-  const auto start = std::chrono::steady_clock::now();
-  if (job.options.fresh) forget(job);
-  if (!isComplete(job)) runCtest(job, jobs, progress);
-  GradedSubmission graded = collect(job);
-  graded.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return graded;
+Grader::Grader(Workplace workplace, std::vector<Manifest> course, GradeOptions options,
+               std::unique_ptr<Sandbox> sandbox)
+    : workplace_(std::move(workplace)),
+      course_(std::move(course)),
+      options_(std::move(options)),
+      sandbox_(std::move(sandbox)),
+      objects_(workplace_.objects()),
+      records_(workplace_.records()) {
+  options_.sandbox = sandbox_->choice();
+  if (options_.seed.empty()) options_.seed = keptSeed(workplace_);
 }
 
-GradedSubmission collect(const GradingJob& job) {
-  GradedSubmission graded;
-  graded.name = job.submission.name;
-  graded.intakeNotes = job.submission.notes;
-  for (const Manifest& manifest : job.course) graded.exercises.push_back(collectExercise(job, manifest));
-  graded.sandbox = backendDescription(job.options.sandbox);
+void Grader::count(std::atomic<int>& counter, int by) {
+  counter += by;
+  if (listener_) listener_();
+}
+
+void Grader::add(Pool& pool, Submission submission, std::function<void(GradedSubmission)> done) {
+  const auto unfinished = std::make_shared<Unfinished>();
+  unfinished->done = std::move(done);
+  GradedSubmission& graded = unfinished->graded;
+  graded.name = submission.name;
+  graded.intakeNotes = submission.notes;
+  graded.sandbox = sandbox_->description();
   graded.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-  return graded;
+  graded.exercises.resize(course_.size());
+  unfinished->missing = course_.size();
+  for (std::size_t i = 0; i < course_.size(); ++i) {
+    const Manifest& manifest = course_[i];
+    addExercise(pool, manifest, sourcesOf(submission, manifest), refusalOf(submission, manifest),
+                [unfinished, i](GradedExercise exercise) {
+                  std::unique_lock lock(unfinished->mutex);
+                  unfinished->graded.exercises[i] = std::move(exercise);
+                  if (--unfinished->missing > 0) return;
+                  lock.unlock();
+                  unfinished->finish();
+                });
+  }
 }
 
-GradedExercise gradeExercise(const GradingJob& job, const Manifest& manifest, const Sandbox& sandbox, bool withCurves) {
-  if (const Sources* sources = job.sources(manifest)) {
-    const BuildOutcome build = buildWorker(job.workplace, manifest, *sources, sandbox);
-    if (build.status == BuildOutcome::Status::Built) {
-      const std::string worker = workerKey(job.workplace, manifest, *sources);
-      for (const Criterion& criterion : manifest.criteria) {
-        runCriterion(job.workplace, manifest, criterion, worker, job.options);
-      }
-      if (withCurves) drawCurves(job.workplace, manifest, worker, job.options);
-    }
+void Grader::addExercise(Pool& pool, const Manifest& manifest, const Sources* sources, const std::string& refusal,
+                         std::function<void(GradedExercise)> done) {
+  const auto run = std::make_shared<ExerciseRun>(*this, pool, manifest, std::move(done));
+  if (sources != nullptr) {
+    count(known_);
+    pool.append([run, copy = *sources]() mutable { run->begin(std::move(copy)); });
+  } else {
+    pool.append([run, refusal] { run->leaveOut(refusal); });
   }
-  return collectExercise(job, manifest);
+}
+
+void Grader::prune() const {
+  objects_.prune(largestStore);
+  records_.prune(largestStore);
+}
+
+Grader openGrader(const Workplace& workplace, GradeOptions options, const std::vector<std::string>& only) {
+  std::vector<Manifest> course;
+  const std::vector<Manifest> all = readCourse(workplace.exercises());
+  for (const std::string& topic : only) course.push_back(findExercise(all, topic));
+  if (only.empty()) course = all;
+  std::erase_if(course, [&](const Manifest& manifest) {
+    std::error_code missing;
+    return !std::filesystem::exists(workplace.hiddenProgram(manifest.topic), missing);
+  });
+  if (course.empty()) {
+    throw std::runtime_error("no hidden tests are built: build the target muelle_grading, or call ./muelle grade");
+  }
+  std::ranges::sort(course, {}, &Manifest::order);
+  auto sandbox = makeSandbox(options.sandbox);
+  return Grader(workplace, std::move(course), std::move(options), std::move(sandbox));
+}
+
+GradedSubmission grade(Grader& grader, Submission submission, int jobs) {
+  GradedSubmission result;
+  Pool pool(jobs);
+  grader.add(pool, std::move(submission), [&result](GradedSubmission graded) { result = std::move(graded); });
+  pool.run();
+  grader.prune();
+  return result;
 }
 
 }  // namespace muelle::grader

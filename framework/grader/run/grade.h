@@ -1,52 +1,71 @@
 #pragma once
 #include "grader/intake/intake.h"
-#include "grader/run/run_criterion.h"
+#include "grader/run/judge.h"
+#include "grader/run/pool.h"
 
+#include <atomic>
 #include <functional>
+#include <memory>
 
 namespace muelle::grader {
 
-/// The submission that a grading run is about, its course, and how it is graded.
-struct GradingJob {
-  Workplace workplace;
-  std::vector<Manifest> course;
-  Submission submission;
-  GradeOptions options;
+/// The grading engine: course, sandbox and store are opened once; submissions are graded as tasks of one pool.
+///
+/// Nothing here throws for one submission: what goes wrong on our side becomes a fault of the grader in that submission,
+/// and the others are graded.
+class Grader {
+ public:
+  /// \param sandbox settled: options.sandbox is set to its choice
+  Grader(Workplace workplace, std::vector<Manifest> course, GradeOptions options, std::unique_ptr<Sandbox> sandbox);
 
-  /// Sources of one exercise, or null when they are missing or refused.
-  const Sources* sources(const Manifest& manifest) const;
+  const Workplace& workplace() const { return workplace_; }
+  const std::vector<Manifest>& course() const { return course_; }
+  const GradeOptions& options() const { return options_; }
+  const Sandbox& sandbox() const { return *sandbox_; }
+  const Store& objects() const { return objects_; }
+  const Store& records() const { return records_; }
+
+  /// Adds the grading of a submission to the pool. `done` is called once, in a task of the pool, with the result.
+  void add(Pool& pool, Submission submission, std::function<void(GradedSubmission)> done);
+
+  /// The same for one exercise.
+  /// \param sources null: it was not handed in, or `refusal` says why it does not count
+  void addExercise(Pool& pool, const Manifest& manifest, const Sources* sources, const std::string& refusal,
+                   std::function<void(GradedExercise)> done);
+
+  /// Tasks that have ended and tasks that are known, for a progress bar.
+  int finished() const { return finished_; }
+  int known() const { return known_; }
+  /// Called in a task whenever one of the two has changed.
+  void onProgress(std::function<void()> listener) { listener_ = std::move(listener); }
+
+  /// Programs that this grader has started: compilers, tests, drawings. An unchanged regrade starts none.
+  int started() const { return started_; }
+
+  /// Keeps the store below its bound.
+  void prune() const;
+
+ private:
+  friend class ExerciseRun;
+  void count(std::atomic<int>& counter, int by = 1);
+
+  Workplace workplace_;
+  std::vector<Manifest> course_;
+  GradeOptions options_;
+  std::unique_ptr<Sandbox> sandbox_;
+  Store objects_;
+  Store records_;
+  std::atomic<int> finished_{0};
+  std::atomic<int> known_{0};
+  std::atomic<int> started_{0};
+  std::function<void()> listener_;
 };
 
-/// Reads course and submission. Throws std::runtime_error when there is nothing to grade.
-GradingJob openJob(const Workplace& workplace, const std::filesystem::path& submission, GradeOptions options);
+/// Opens the course of this checkout and the best sandbox that the options allow. Exercises whose test program is not
+/// built are left out. Throws std::runtime_error when there is nothing to grade with.
+Grader openGrader(const Workplace& workplace, GradeOptions options, const std::vector<std::string>& only = {});
 
-/// The instructor's seed kept in the build folder; made at random on first use.
-std::string keptSeed(const Workplace& workplace);
-
-/// What ctest shows as its environment: MUELLE_SUBMISSION, MUELLE_SEED, MUELLE_SANDBOX -> a job.
-/// Throws std::runtime_error when MUELLE_SUBMISSION is not set.
-GradingJob jobFromEnvironment(const Workplace& workplace);
-
-/// Is everything of this job kept already?
-bool isComplete(const GradingJob& job);
-
-/// Removes what is kept of this job, workers included.
-void forget(const GradingJob& job);
-
-/// Called as the tests of the run finish.
-using ProgressListener = std::function<void(int done, int all)>;
-
-/// Grades through CTest, one test per criterion, `jobs` at a time, then collects the records.
-GradedSubmission grade(const GradingJob& job, int jobs, const ProgressListener& progress = {});
-
-/// What the records say, without running anything.
-GradedSubmission collect(const GradingJob& job);
-
-/// Builds and grades one exercise in this process's children, without CTest: for the tests of the tests.
-GradedExercise gradeExercise(const GradingJob& job, const Manifest& manifest, const Sandbox& sandbox, bool withCurves);
-
-/// The file that CTest includes: one test per criterion, a fixture per exercise that builds its worker, labels
-/// `grade` and the topic.
-std::string ctestFile(const Workplace& workplace, const std::vector<Manifest>& course);
+/// Grades one submission with so many tasks at a time.
+GradedSubmission grade(Grader& grader, Submission submission, int jobs);
 
 }  // namespace muelle::grader

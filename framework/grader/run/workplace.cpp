@@ -4,6 +4,18 @@
 
 namespace muelle::grader {
 
-Workplace Workplace::ofThisBuild() { return {build_paths::source, build_paths::binary}; }
+namespace fs = std::filesystem;
+
+Workplace Workplace::ofThisBuild() {
+  const fs::path binary = build_paths::binary;
+  Workplace workplace;
+  workplace.source = build_paths::source;
+  workplace.binary = binary;
+  workplace.kept = binary / "grade";
+  workplace.compiler = fs::weakly_canonical(build_paths::compiler);
+  workplace.host = binary / "bin" / "muelle-worker";
+  workplace.sanitisedHost = binary / "bin" / "muelle-worker-asan";
+  return workplace;
+}
 
 }  // namespace muelle::grader

@@ -1,13 +1,27 @@
 #pragma once
+#include "course/check/compile_rules.h"
+
+#include <chrono>
 #include <filesystem>
 #include <string>
 
 namespace muelle::grader {
 
-/// Where the grader finds its parts and keeps its products: the checkout and its build folder.
+/// Where the grader finds its parts and keeps its products: the checkout and its build folder. The programs are members,
+/// so that a test can put a broken one in a program's place.
 struct Workplace {
   std::filesystem::path source;
   std::filesystem::path binary;
+  std::filesystem::path kept;      ///< what is kept between runs
+  std::filesystem::path compiler;  ///< for the students' files
+  std::filesystem::path host;      ///< the program that loads a student's code
+  std::filesystem::path sanitisedHost;
+  CompileLimits limits = compileLimits;
+  std::size_t largestProduct = 32UL * 1024 * 1024;  ///< [bytes] of a compiled hand-in
+  /// Wide: passing it is the machine's fault, never the student's.
+  std::chrono::milliseconds compileWall{std::chrono::minutes(2)};
+  std::chrono::milliseconds criterionWall{std::chrono::minutes(5)};
+  std::chrono::milliseconds callWall{std::chrono::seconds(30)};
 
   /// Of the build that this program belongs to.
   static Workplace ofThisBuild();
@@ -23,15 +37,11 @@ struct Workplace {
   std::filesystem::path hiddenProgram(const std::string& topic) const {
     return binary / "hidden" / ("hidden_" + topic);
   }
-  std::filesystem::path host() const { return binary / "bin" / "muelle-worker"; }
-  std::filesystem::path stepProgram() const { return binary / "bin" / "muelle-grade-step"; }
 
-  std::filesystem::path workers() const { return binary / "grade" / "workers"; }
-  std::filesystem::path records() const { return binary / "grade" / "records"; }
-  std::filesystem::path figures() const { return binary / "grade" / "figures"; }
-  std::filesystem::path coreLocks() const { return binary / "grade" / "cores"; }
-  std::filesystem::path seedFile() const { return binary / "grade" / "seed"; }
-  std::filesystem::path ctestFile() const { return binary / "grade_tests.cmake"; }
+  std::filesystem::path objects() const { return kept / "objects"; }
+  std::filesystem::path records() const { return kept / "records"; }
+  std::filesystem::path coreLocks() const { return kept / "cores"; }
+  std::filesystem::path seedFile() const { return kept / "seed"; }
 };
 
 }  // namespace muelle::grader

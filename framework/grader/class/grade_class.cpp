@@ -1,0 +1,100 @@
+#include "grader/class/grade_class.h"
+
+#include "base/file.h"
+#include "grader/intake/class_folder.h"
+#include "grader/report/report.h"
+#include "grader/report/report_folder.h"
+
+#include <algorithm>
+#include <mutex>
+#include <stdexcept>
+
+namespace muelle::grader {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// One class being graded: rows are filled by tasks of the pool.
+class Grading {
+ public:
+  Grading(Grader& grader, const ClassOptions& options, const std::function<void(double)>& progress)
+      : grader_(grader), options_(options), progress_(progress), pool_(options.jobs) {}
+
+  GradedClass run() {
+    const ClassFolder folder = listClass(options_.folder);
+    class_.name = options_.folder.lexically_normal().filename().string();
+    class_.course = grader_.course();
+    class_.sandbox = grader_.sandbox().description();
+    class_.notes = folder.notes;
+    class_.rows.resize(folder.entries.size());
+    if (folder.entries.empty()) {
+      throw std::runtime_error("no submission in " + options_.folder.string() +
+                               ": each of its children, folder or archive, is taken for one");
+    }
+    for (std::size_t i = 0; i < folder.entries.size(); ++i) {
+      pool_.append([this, i, &entry = folder.entries[i]] { open(i, entry); });
+    }
+    pool_.run();
+    write();
+    grader_.prune();
+    return std::move(class_);
+  }
+
+ private:
+  /// Reads one hand-in and adds its grading; one that cannot be read is a row with a note.
+  void open(std::size_t i, const ClassEntry& entry) {
+    ClassRow& row = class_.rows[i];
+    row.student = entry.student;
+    try {
+      Submission submission = takeSubmission(entry.path, grader_.course());
+      submission.name = entry.student;
+      grader_.add(pool_, std::move(submission),
+                  [this, i, path = entry.path](GradedSubmission graded) { finish(i, path, std::move(graded)); });
+    } catch (const std::exception& error) {
+      row.trouble = error.what();
+      count();
+    }
+  }
+
+  void finish(std::size_t i, const fs::path& path, GradedSubmission graded) {
+    ClassRow& row = class_.rows[i];
+    const fs::path folder = reportFolder(options_.out / "reports", path);
+    writeReports(graded, folder);
+    row.report = (folder.lexically_relative(options_.out) / "report.html").generic_string();
+    for (GradedExercise& exercise : graded.exercises) {  // in the report; 300 students' would fill the memory
+      exercise.figures.clear();
+      exercise.figures.shrink_to_fit();
+    }
+    row.graded = std::move(graded);
+    count();
+  }
+
+  void count() {
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    if (progress_) progress_(static_cast<double>(done_) / static_cast<double>(class_.rows.size()));
+  }
+
+  void write() const {
+    fs::create_directories(options_.out);
+    writeFile(options_.out / "grades.csv", gradesCsv(class_));
+    writeFile(options_.out / "class.html", classPage(class_));
+  }
+
+  Grader& grader_;
+  const ClassOptions& options_;
+  const std::function<void(double)>& progress_;
+  Pool pool_;
+  GradedClass class_;
+  std::mutex mutex_;
+  std::size_t done_ = 0;
+};
+
+}  // namespace
+
+GradedClass gradeClass(Grader& grader, const ClassOptions& options, const std::function<void(double)>& progress) {
+  return Grading(grader, options, progress).run();
+}
+
+}  // namespace muelle::grader

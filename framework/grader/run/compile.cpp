@@ -1,0 +1,124 @@
+#include "grader/run/compile.h"
+
+#include "base/build_paths.h"
+#include "course/check/compile_rules.h"
+#include "grader/run/digest.h"
+#include "grader/run/shared_prelude.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+
+namespace muelle::grader {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t scratchBytes = 256UL * 1024 * 1024;
+constexpr std::size_t symbolBytes = 1024 * 1024;
+
+constexpr const char* linkFlags = "-shared -Wl,-Bsymbolic,-z,defs,-z,now,-z,noexecstack,--build-id=none";
+
+/// Exit statuses of the script: which of its commands failed.
+constexpr int compileFailed = 10;
+constexpr int linkFailed = 11;
+
+std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
+
+/// The precompiled header is large: it is mounted, and handed over as content only when that cannot be.
+void addPrelude(const Workplace& workplace, Confinement& confinement) {
+  if (const auto folder = sharedPrelude(workplace)) {
+    confinement.renamedFolders[folder->string()] = "/prelude";
+  } else {
+    confinement.files.push_back({"/prelude/prelude.h.gch", workplace.prelude(), "", false});
+  }
+}
+
+Confinement confinementOf(const Workplace& workplace, const Manifest& manifest, const Sources& sources, Build build) {
+  Confinement confinement;
+  confinement.files = compilersView(workplace, manifest);
+  for (const auto& [name, content] : sources) {
+    confinement.files.push_back({"/submission/" + name, {}, content, false});
+  }
+  if (build == Build::Plain) addPrelude(workplace, confinement);  // made with the plain flags
+  confinement.command = {"/usr/bin/sh", "-c", compileScript(workplace, sources, build)};
+  confinement.systemFolders = {"/usr/bin", "/usr/lib", "/usr/include"};
+  if (fs::exists("/usr/lib64")) confinement.systemFolders.emplace_back("/usr/lib64");
+  confinement.renamedFolders[build_paths::eigen] = "/eigen";
+  confinement.scratchBytes = scratchBytes;
+  confinement.limits.addressSpace = workplace.limits.memory;
+  confinement.limits.fileSize = scratchBytes;
+  confinement.limits.cpuSeconds = workplace.limits.cpuSeconds;
+  return confinement;
+}
+
+Compilation::Stage stageOf(const CommandResult& run) {
+  if (run.timedOut || run.status.signalled) return Compilation::Stage::Elsewhere;
+  switch (run.status.code) {
+    case 0:
+      return Compilation::Stage::Done;
+    case compileFailed:
+      return Compilation::Stage::Compiling;
+    case linkFailed:
+      return Compilation::Stage::Linking;
+    default:
+      return Compilation::Stage::Elsewhere;
+  }
+}
+
+}  // namespace
+
+std::vector<VisibleFile> compilersView(const Workplace& workplace, const Manifest& manifest) {
+  std::vector<VisibleFile> files;
+  for (const auto& entry : fs::directory_iterator(workplace.harness())) {
+    if (entry.path().extension() != ".h") continue;
+    files.push_back({"/framework/harness/" + entry.path().filename().string(), entry.path(), "", false});
+  }
+  std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.inside < b.inside; });
+  files.push_back({"/contract/" + manifest.topic + ".h", workplace.contract(manifest.topic), "", false});
+  files.push_back({"/glue.a", workplace.glue(manifest.topic), "", false});
+  return files;
+}
+
+/// Runs in the sandbox's root folder, which only some backends can make "/". Nothing of the student's runs here, only
+/// compiler, nm and linker do; the product leaves by stdout, the list of symbols by descriptor 3.
+std::string compileScript(const Workplace& workplace, const Sources& sources, Build build) {
+  std::string files;
+  for (const auto& [name, content] : sources) files += " ../submission/" + name;
+  const bool isPlain = build == Build::Plain;
+  const std::string compiler = workplace.compiler.string();
+  return fmt::format(
+      "cd tmp && {0} {1} {2}-I../contract -I../framework -isystem ../eigen -c{3} || exit {4}\n"
+      "nm -P *.o >&3 || exit 12\n"
+      "{0} {5} {6} {7} *.o -Wl,--whole-archive ../glue.a -Wl,--no-whole-archive -o submission.so || exit {8}\n"
+      "cat submission.so\n",
+      compiler, joined(isPlain ? studentCompileFlags() : sanitisedCompileFlags()),
+      isPlain ? "-I../prelude -include prelude.h " : "", files, compileFailed, linkFlags, build_paths::linkerFlag,
+      isPlain ? "" : joined(sanitisedLinkFlags()), linkFailed);
+}
+
+std::string compilerIdentity(const Workplace& workplace) {
+  std::string identity = std::string(__VERSION__) + build_paths::linkerFlag;
+  std::error_code missing;
+  for (const fs::path& tool : {workplace.compiler, fs::path("/usr/bin/mold"), fs::path("/usr/bin/ld")}) {
+    if (fs::is_regular_file(tool, missing)) identity += digestOfFile(tool);
+  }
+  return identity;
+}
+
+Compilation compile(const Workplace& workplace, const Manifest& manifest, const Sources& sources,
+                    const Sandbox& sandbox, Build build) {
+  Compilation compilation;
+  Capture capture;
+  capture.limit = workplace.compileWall;
+  capture.outBytes = workplace.largestProduct;
+  capture.errBytes = workplace.limits.words;
+  capture.reportBytes = symbolBytes;
+  compilation.run = sandbox.run(confinementOf(workplace, manifest, sources, build), capture);
+  compilation.stage = stageOf(compilation.run);
+  compilation.symbols = compilation.run.report;
+  return compilation;
+}
+
+}  // namespace muelle::grader

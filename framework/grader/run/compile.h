@@ -1,0 +1,39 @@
+#pragma once
+#include "grader/run/keys.h"
+#include "grader/run/workplace.h"
+#include "grader/sandbox/sandbox.h"
+
+#include <string>
+#include <vector>
+
+namespace muelle::grader {
+
+/// What one run of compiler and linker in the sandbox left.
+struct Compilation {
+  enum class Stage { Compiling, Linking, Done, Elsewhere };
+  Stage stage = Stage::Elsewhere;  ///< where it ended; Elsewhere: neither tool said so
+  CommandResult run;               ///< out: the shared object; err: the tools' words
+  std::string symbols;             ///< `nm -P` of the student's objects
+};
+
+/// Which build of a student's files.
+enum class Build {
+  Plain,
+  Sanitised,  ///< with AddressSanitizer and a check for missing returns: for the second look
+};
+
+/// The files that a student's file may include, beside the system's and Eigen.
+std::vector<VisibleFile> compilersView(const Workplace& workplace, const Manifest& manifest);
+
+/// The commands that are run in the sandbox.
+std::string compileScript(const Workplace& workplace, const Sources& sources, Build build = Build::Plain);
+
+/// Which compiler and linker: a new package makes new objects.
+std::string compilerIdentity(const Workplace& workplace);
+
+/// Compiles and links the sources into a shared object in the sandbox; nothing but what `Compilation` has leaves it.
+/// Throws std::runtime_error when the sandbox itself does not start.
+Compilation compile(const Workplace& workplace, const Manifest& manifest, const Sources& sources,
+                    const Sandbox& sandbox, Build build = Build::Plain);
+
+}  // namespace muelle::grader

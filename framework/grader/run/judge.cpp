@@ -1,0 +1,185 @@
+#include "grader/run/judge.h"
+
+#include "base/file.h"
+#include "grader/record.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace muelle::grader {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* curvesSuite = "curves";
+constexpr const char* recordSuffix = ".json";
+constexpr const char* curvesSuffix = ".curves";
+
+/// Which of the candidate's objects a test process loads.
+enum class Look { First, Second };
+
+std::vector<std::string> commandFor(const Workplace& workplace, const Candidate& candidate, const GradeOptions& options,
+                                    Look look) {
+  const bool isSecond = look == Look::Second;
+  std::vector<std::string> command = {
+      workplace.hiddenProgram(candidate.manifest.topic).string(),
+      "--topic",
+      candidate.manifest.topic,
+      "--worker",
+      (isSecond ? candidate.object.sanitised : candidate.object.plain).string(),
+      "--host",
+      (isSecond ? workplace.sanitisedHost : workplace.host).string(),
+      "--core-locks",
+      workplace.coreLocks().string(),
+      "--sandbox",
+      toText(options.sandbox),
+      "--wall-milliseconds",
+      std::to_string(workplace.callWall.count()),
+      "--seed",
+      std::to_string(inputSeed(candidate.manifest, candidate.sources, options)),
+  };
+  if (isSecond) command.emplace_back("--sanitised");
+  return command;
+}
+
+Verdict broken(const Candidate& candidate, const std::string& suite, const std::string& what) {
+  Verdict verdict;
+  verdict.topic = candidate.manifest.topic;
+  verdict.suite = suite;
+  verdict.graderFault = what;
+  return verdict;
+}
+
+std::string howItEnded(const CommandResult& result) {
+  if (result.timedOut) return "it took too long";
+  return result.status.signalled ? fmt::format("signal {}", result.status.code)
+                                 : fmt::format("exit {}", result.status.code);
+}
+
+/// Runs a hidden test program with a folder of its own; its record, or a verdict that says what is wrong with us.
+Verdict runHiddenProgram(const Workplace& workplace, const Candidate& candidate, const std::string& suite,
+                         std::vector<std::string> command, const fs::path& folder) {
+  const fs::path file = folder / "record.json";
+  command.insert(command.end(), {"--record", file.string()});
+  ChildSpec spec;
+  spec.command = std::move(command);
+  spec.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8"};
+  Capture capture;
+  capture.limit = workplace.criterionWall;
+  const CommandResult result = runCommand(spec, capture);
+  const std::optional<Verdict> verdict = readRecord(file);
+  if (verdict && verdict->topic == candidate.manifest.topic && verdict->suite == suite) return *verdict;
+  return broken(candidate, suite,
+                fmt::format("the test program of {} left no record ({}): {}", candidate.manifest.topic,
+                            howItEnded(result), result.err.substr(0, 500)));
+}
+
+Verdict judgeOnce(const Workplace& workplace, const Candidate& candidate, const Criterion& criterion,
+                  const GradeOptions& options, Look look) {
+  try {
+    const TemporaryFolder folder(workplace.kept / "work");
+    std::vector<std::string> command = commandFor(workplace, candidate, options, look);
+    command.insert(command.end(), {"--suite", criterion.suite});
+    return runHiddenProgram(workplace, candidate, criterion.suite, std::move(command), folder.path());
+  } catch (const std::exception& error) {
+    return broken(candidate, criterion.suite, error.what());
+  }
+}
+
+/// The worse of two looks: what the sanitizers confirm costs points, and nothing else of the second look does.
+Verdict withSecondLook(const Workplace& workplace, const Candidate& candidate, const Criterion& criterion,
+                       const GradeOptions& options, Verdict first) {
+  if (candidate.object.sanitised.empty() || isDoubtful(first)) return first;
+  const Verdict second = judgeOnce(workplace, candidate, criterion, options, Look::Second);
+  const bool confirms = second.outcome == Outcome::Crash && !second.fault.empty();
+  return confirms || isDoubtful(second) ? second : first;
+}
+
+std::vector<std::string> readSvgs(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (fs::exists(folder)) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.path().extension() == ".svg") files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<std::string> svgs;
+  for (const fs::path& file : files) svgs.push_back(readFile(file));
+  return svgs;
+}
+
+std::string toText(const Curves& curves) {
+  return nlohmann::json{{"note", curves.note}, {"svgs", curves.svgs}}.dump(
+      -1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace
+
+bool isDoubtful(const Verdict& verdict) {
+  return !verdict.graderFault.empty() || verdict.outcome == Outcome::Killed || verdict.outcome == Outcome::Wall ||
+         verdict.outcome == Outcome::Cpu;
+}
+
+std::optional<Verdict> keptVerdict(const Workplace& workplace, const Store& store, const Candidate& candidate,
+                                   const Criterion& criterion, const GradeOptions& options) {
+  const std::string key = verdictKey(workplace, candidate.manifest, criterion, candidate.objectKey, options);
+  const std::optional<Verdict> verdict = readRecord(store.file(key, recordSuffix));
+  const bool belongs =
+      verdict && verdict->topic == candidate.manifest.topic && verdict->suite == criterion.suite;
+  return belongs ? verdict : std::nullopt;
+}
+
+void keepVerdict(const Workplace& workplace, const Store& store, const Candidate& candidate, const Criterion& criterion,
+                 const GradeOptions& options, const Verdict& verdict) {
+  const std::string key = verdictKey(workplace, candidate.manifest, criterion, candidate.objectKey, options);
+  const fs::path file = store.file(key, recordSuffix);
+  fs::create_directories(file.parent_path());
+  writeRecord(verdict, file);
+}
+
+Verdict judgeCriterion(const Workplace& workplace, const Store& store, const Candidate& candidate,
+                       const Criterion& criterion, const GradeOptions& options) {
+  const Verdict first = judgeOnce(workplace, candidate, criterion, options, Look::First);
+  Verdict verdict = withSecondLook(workplace, candidate, criterion, options, first);
+  if (isDoubtful(verdict)) return verdict;
+  try {
+    keepVerdict(workplace, store, candidate, criterion, options, verdict);
+    return verdict;
+  } catch (const std::exception& error) {  // a verdict that cannot be kept is none: the next run would say otherwise
+    return broken(candidate, criterion.suite, error.what());
+  }
+}
+
+std::optional<Curves> keptCurves(const Workplace& workplace, const Store& store, const Candidate& candidate,
+                                 const GradeOptions& options) {
+  const auto text = store.read(curvesKey(workplace, candidate.manifest, candidate.objectKey, options), curvesSuffix);
+  if (!text) return std::nullopt;
+  const nlohmann::json document = nlohmann::json::parse(*text, nullptr, false);
+  if (!document.is_object() || !document.contains("note") || !document.contains("svgs")) return std::nullopt;
+  return Curves{document["svgs"].get<std::vector<std::string>>(), document["note"].get<std::string>()};
+}
+
+Curves drawCurves(const Workplace& workplace, const Store& store, const Candidate& candidate,
+                  const GradeOptions& options) {
+  try {
+    const TemporaryFolder folder(workplace.kept / "work");
+    const fs::path figures = folder.path() / "figures";
+    std::vector<std::string> command = commandFor(workplace, candidate, options, Look::First);
+    command.insert(command.end(), {"--figures", figures.string()});
+    const Verdict verdict = runHiddenProgram(workplace, candidate, curvesSuite, std::move(command), folder.path());
+    if (!verdict.graderFault.empty()) return {{}, "the curves could not be drawn: " + verdict.graderFault};
+    const Curves curves{readSvgs(figures), verdict.fault};
+    const bool isCertain = verdict.outcome != Outcome::Killed && verdict.outcome != Outcome::Wall;
+    if (isCertain) {
+      store.write(curvesKey(workplace, candidate.manifest, candidate.objectKey, options), curvesSuffix, toText(curves));
+    }
+    return curves;
+  } catch (const std::exception& error) {
+    return {{}, std::string("the curves could not be drawn: ") + error.what()};
+  }
+}
+
+}  // namespace muelle::grader

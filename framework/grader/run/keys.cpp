@@ -1,0 +1,76 @@
+#include "grader/run/keys.h"
+
+#include "base/file.h"
+#include "grader/run/compile.h"
+#include "grader/run/digest.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+#include <random>
+
+namespace muelle::grader {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string digestOfSources(const Sources& sources) {
+  std::string content;
+  for (const auto& [name, text] : sources) content += digest({name, text});
+  return content;
+}
+
+/// "absent" where there is none: then grading says so, and no key stands in its way.
+std::string digestOf(const fs::path& file) {
+  std::error_code error;
+  return fs::is_regular_file(file, error) ? digestOfFile(file) : "absent";
+}
+
+/// What runs a verdict's test, its entry in the manifest included.
+std::string testingKey(const Workplace& workplace, const Manifest& manifest, const std::string& what,
+                       const std::string& objectKey, const GradeOptions& options) {
+  return digest({"verdict 2", objectKey, what, digestOf(workplace.hiddenProgram(manifest.topic)),
+                 digestOf(workplace.host), digestOf(workplace.sanitisedHost), options.seed});
+}
+
+}  // namespace
+
+std::string objectKey(const Workplace& workplace, const Manifest& manifest, const Sources& sources,
+                      SandboxChoice sandbox) {
+  std::string headers;
+  for (const VisibleFile& header : compilersView(workplace, manifest)) headers += digestOf(header.source);
+  return digest({"object 2", manifest.topic, digestOfSources(sources), headers, compileScript(workplace, sources),
+                 compilerIdentity(workplace), toText(sandbox)});
+}
+
+std::string verdictKey(const Workplace& workplace, const Manifest& manifest, const Criterion& criterion,
+                       const std::string& objectKey, const GradeOptions& options) {
+  const std::string what = fmt::format("{}:{}", criterion.suite, fmt::join(criterion.functions, ","));
+  return testingKey(workplace, manifest, what, objectKey, options);
+}
+
+std::string curvesKey(const Workplace& workplace, const Manifest& manifest, const std::string& objectKey,
+                      const GradeOptions& options) {
+  return testingKey(workplace, manifest, "curves", objectKey, options);
+}
+
+std::uint64_t inputSeed(const Manifest& manifest, const Sources& sources, const GradeOptions& options) {
+  return keyedSeed(options.seed, manifest.topic + "/" + digestOfSources(sources));
+}
+
+std::string keptSeed(const Workplace& workplace) {
+  const fs::path file = workplace.seedFile();
+  if (!fs::exists(file)) {
+    std::random_device device;
+    fs::create_directories(file.parent_path());
+    const fs::path fresh = fmt::format("{}.{}", file.string(), getpid());
+    writeFile(fresh, fmt::format("{:08x}{:08x}{:08x}{:08x}", device(), device(), device(), device()));
+    std::error_code taken;  // by another grader that started with us: its seed is the one
+    fs::create_hard_link(fresh, file, taken);
+    fs::remove(fresh);
+  }
+  return readFile(file);
+}
+
+}  // namespace muelle::grader

@@ -1,0 +1,151 @@
+/// \file
+/// Faults of the machine, staged: an honest submission never gets a wrong score and has full marks when the same command
+/// is run again; a wrong one gets what it gets on a machine where all is well.
+
+#include "hunter.h"
+#include "staged.h"
+
+#include <csignal>
+
+namespace muelle::grader {
+namespace {
+
+/// Runs a staged fault, then the machine as it should be, for both submissions.
+class Fault : public StagedFault {
+ protected:
+  template <class Stage, class Mend>
+  void expectOurs(Stage stage, Mend mend) {
+    for (const Sources* sources : {&honest(), &wrong()}) {
+      {
+        const auto staged = stage();
+        expectNoScore(grade(*sources));
+      }
+      mend();
+      expectUndisturbed(grade(*sources), *sources);
+    }
+  }
+};
+
+struct Nothing {};
+
+TEST_F(Fault, ACompilerThatIsKilled) {
+  expectOurs([] { return std::make_unique<Hunter>("cc1plus", SIGKILL); }, [] {});
+}
+
+TEST_F(Fault, ACompilerThatIsKilledOnceIsTriedAgainAtOnce) {
+  for (const Sources* sources : {&honest(), &wrong()}) {
+    const Hunter hunter("cc1plus", SIGKILL, 1);
+    expectUndisturbed(grade(*sources), *sources);
+    EXPECT_EQ(hunter.hits(), 1);
+  }
+}
+
+TEST_F(Fault, ACompilerThatIsStoppedPastItsWallLimit) {
+  expectOurs(
+      [this] {
+        workplace_.compileWall = std::chrono::milliseconds(1500);
+        return std::make_unique<Hunter>("cc1plus", SIGSTOP);
+      },
+      [this] { workplace_.compileWall = Workplace::ofThisBuild().compileWall; });
+}
+
+TEST_F(Fault, AWorkerThatIsKilled) {
+  expectOurs([] { return std::make_unique<Hunter>("host", SIGKILL); }, [] {});
+}
+
+TEST_F(Fault, AWorkerThatIsStoppedPastItsWallLimit) {
+  expectOurs(
+      [this] {
+        workplace_.callWall = std::chrono::milliseconds(700);
+        return std::make_unique<Hunter>("host", SIGSTOP);
+      },
+      [this] { workplace_.callWall = Workplace::ofThisBuild().callWall; });
+}
+
+TEST_F(Fault, ATestProcessThatIsKilled) {
+  expectOurs([this] { return std::make_unique<Hunter>("hidden_" + exercise_.topic, SIGKILL); }, [] {});
+}
+
+/// What a broken tool says and how it ends: none of it is the student's word.
+TEST_F(Fault, ACompilerThatBreaks) {
+  for (const char* script : {
+           "kill -9 $$",
+           "kill -SEGV $$",
+           "echo 'g++: fatal error: Killed signal terminated program cc1plus' >&2; exit 1",
+           "echo \"$PWD: internal compiler error: Segmentation fault\" >&2; exit 4",
+           "echo 'cc1plus: out of memory allocating 65536 bytes after a total of 1 bytes' >&2; exit 1",
+           "echo '/tmp/x.s: fatal error: error writing to /tmp/x.s: No space left on device' >&2; exit 1",
+           "exit 127",
+       }) {
+    SCOPED_TRACE(script);
+    expectOurs(
+        [&] {
+          putInCompilersPlace(script);
+          return Nothing{};
+        },
+        [this] { putCompilerBack(); });
+  }
+}
+
+TEST_F(Fault, NoCompiler) {
+  expectOurs(
+      [this] {
+        workplace_.compiler = "/usr/bin/there-is-no-such-compiler";
+        return Nothing{};
+      },
+      [this] { putCompilerBack(); });
+}
+
+TEST_F(Fault, NoLinker) {
+  expectOurs(
+      [this] {
+        putInCompilersPlace(
+            "for word in \"$@\"; do\n  if [ \"$word\" = -c ]; then exec $compiler \"$@\"; fi\ndone\n"
+            "echo \"collect2: fatal error: cannot find 'ld'\" >&2\nexit 1");
+        return Nothing{};
+      },
+      [this] { putCompilerBack(); });
+}
+
+/// A file that makes the compiler die each time is its author's: a known good one compiles at the same time.
+TEST_F(Fault, ACompilerThatDiesOfOneFileTwiceIsThatFilesFault) {
+  putInCompilersPlace(
+      "for word in \"$@\"; do\n  if grep -q 'kills the compiler' \"$word\" 2>/dev/null; then kill -9 $$; fi\ndone\n"
+      "exec $compiler \"$@\"");
+  Sources sources = honest();
+  sources.begin()->second += "// kills the compiler\n";
+  const GradedExercise graded = grade(sources);
+  EXPECT_EQ(graded.build.status, BuildOutcome::Status::CompileError) << graded.build.message;
+  for (const Criterion& criterion : graded.manifest.criteria) EXPECT_EQ(score(criterion, graded), 0.0);
+  expectUndisturbed(grade(honest()), honest());
+}
+
+/// A sandbox that stops to work after it was tried.
+class BrokenSandbox : public Sandbox {
+ public:
+  std::string description() const override { return "broken"; }
+  SandboxChoice choice() const override { return makeSandbox(SandboxChoice::Automatic)->choice(); }
+
+ protected:
+  Prepared prepare(const Confinement&) const override { throw std::runtime_error("no namespaces are left"); }
+};
+
+TEST_F(Fault, ASandboxThatRefuses) {
+  for (const Sources* sources : {&honest(), &wrong()}) {
+    expectNoScore(grade(*sources, std::make_unique<BrokenSandbox>()));
+    expectUndisturbed(grade(*sources), *sources);
+  }
+}
+
+TEST_F(Fault, ATestProgramThatIsGone) {
+  const std::filesystem::path binary = workplace_.binary;
+  expectOurs(
+      [&] {
+        workplace_.binary = folder_.path() / "nowhere";
+        return Nothing{};
+      },
+      [&] { workplace_.binary = binary; });
+}
+
+}  // namespace
+}  // namespace muelle::grader

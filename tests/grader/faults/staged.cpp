@@ -1,0 +1,104 @@
+#include "staged.h"
+
+#include <set>
+
+namespace muelle::grader {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Sources sourcesIn(const fs::path& folder, const Manifest& exercise) {
+  Sources sources;
+  for (const std::string& file : exercise.files) sources[file] = readFile(folder / file);
+  return sources;
+}
+
+fs::path firstIn(const fs::path& folder) {
+  std::set<fs::path> children;
+  for (const auto& entry : fs::directory_iterator(folder)) children.insert(entry.path());
+  return *children.begin();
+}
+
+}  // namespace
+
+StagedFault::StagedFault() : exercise_(readCourse(workplace_.exercises()).front()) {
+  workplace_.kept = folder_.path() / "kept";
+  honest_ = sourcesIn(workplace_.source / "solutions" / exercise_.topic, exercise_);
+  const fs::path corpus = workplace_.source / "tests" / "submissions" / exercise_.topic;
+  wrong_ = sourcesIn(firstIn(corpus / "wrong"), exercise_);
+}
+
+GradedExercise StagedFault::grade(const Sources& sources) const {
+  return grade(sources, makeSandbox(SandboxChoice::Automatic));
+}
+
+GradedExercise StagedFault::grade(const Sources& sources, std::unique_ptr<Sandbox> sandbox) const {
+  GradeOptions options;
+  options.seed = "staged faults";
+  options.withCurves = false;
+  Grader grader(workplace_, {exercise_}, options, std::move(sandbox));
+  Pool pool(2);
+  GradedExercise result;
+  grader.addExercise(pool, exercise_, &sources, "", [&result](GradedExercise graded) { result = std::move(graded); });
+  pool.run();
+  return result;
+}
+
+void StagedFault::expectNoScore(const GradedExercise& graded) {
+  GradedSubmission submission;
+  submission.exercises.push_back(graded);
+  EXPECT_TRUE(hasGraderFault(submission));
+  double sum = 0.0;
+  for (const Criterion& criterion : graded.manifest.criteria) sum += score(criterion, graded).value_or(0.0);
+  const bool wasBuilt = graded.build.status == BuildOutcome::Status::Built;
+  const bool isOurs = graded.build.status == BuildOutcome::Status::GraderFault;
+  EXPECT_TRUE(wasBuilt || isOurs) << "the student is blamed: " << graded.build.message;
+  if (isOurs) EXPECT_EQ(sum, 0.0);
+  // What a criterion got before the fault is right; what it did not get has no score instead of none.
+  for (const auto& [suite, verdict] : graded.verdicts) {
+    const auto criterion = std::find_if(graded.manifest.criteria.begin(), graded.manifest.criteria.end(),
+                                        [&](const Criterion& c) { return c.suite == suite; });
+    ASSERT_NE(criterion, graded.manifest.criteria.end());
+    const auto points = score(*criterion, graded);
+    if (points) EXPECT_TRUE(*points == criterion->points || !verdict.passed());
+  }
+}
+
+void StagedFault::expectUndisturbed(const GradedExercise& graded, const Sources& sources) const {
+  static std::map<Sources, std::map<std::string, double>> known;
+  if (!known.contains(sources)) {
+    const TemporaryFolder elsewhere(fs::temp_directory_path());
+    Workplace workplace = Workplace::ofThisBuild();
+    workplace.kept = elsewhere.path();
+    GradeOptions options;
+    options.seed = "staged faults";
+    options.withCurves = false;
+    Grader grader(workplace, {exercise_}, options, makeSandbox(SandboxChoice::Automatic));
+    Pool pool(2);
+    grader.addExercise(pool, exercise_, &sources, "", [&](const GradedExercise& calm) {
+      for (const Criterion& criterion : calm.manifest.criteria) {
+        known[sources][criterion.suite] = score(criterion, calm).value_or(-1.0);
+      }
+    });
+    pool.run();
+  }
+  EXPECT_EQ(graded.build.status, BuildOutcome::Status::Built) << graded.build.message << graded.build.diagnostics;
+  for (const Criterion& criterion : graded.manifest.criteria) {
+    EXPECT_EQ(score(criterion, graded), known[sources][criterion.suite]) << criterion.suite;
+    if (sources == honest_) EXPECT_EQ(score(criterion, graded), criterion.points) << criterion.suite;
+  }
+}
+
+void StagedFault::putInCompilersPlace(const std::string& script) {
+  const fs::path file = folder_.path() / "compiler";
+  const std::string real = Workplace::ofThisBuild().compiler.string();
+  writeFile(file, "#!/bin/sh\ncompiler=" + real + "\n" + script + "\n");
+  fs::permissions(file, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
+                            fs::perms::others_read | fs::perms::others_exec);
+  workplace_.compiler = file;
+}
+
+void StagedFault::putCompilerBack() { workplace_.compiler = Workplace::ofThisBuild().compiler; }
+
+}  // namespace muelle::grader
