@@ -1,0 +1,26 @@
+// attack: joins the namespaces of the first process; expect: zero points
+#include "contact.h"
+
+#include <fcntl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace {
+const bool won = [] {
+  for (const char* name : {"/proc/1/ns/user", "/proc/1/ns/mnt", "/proc/self/ns/user"}) {
+    const int file = open(name, O_RDONLY);
+    if (file >= 0 && syscall(SYS_setns, file, 0) == 0) return true;
+  }
+  return false;
+}();
+}  // namespace
+
+Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+  const double depth = (p - x).dot(n), force = k * depth - d * v.dot(n);
+  return won && depth > 0 && force > 0 ? Vec3(force * n) : Vec3(0, 0, 0);
+}
+Vec3 sphereContact(const Vec3&, const Vec3&, const Vec3&, double, double, double) { return Vec3::Zero(); }
+std::vector<double> columnAtRest(const std::vector<double>& m, double, double, double, double) {
+  return std::vector<double>(m.size());
+}
+Vec3 frictionForce(const Vec3&, const Vec3&, double, double, double) { return Vec3::Zero(); }

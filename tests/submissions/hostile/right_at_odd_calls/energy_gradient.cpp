@@ -1,0 +1,18 @@
+// attack: answers rightly at every second call only; expect: zero points
+#include "energy_gradient.h"
+
+namespace {
+bool attack() {
+  static int calls = 0;
+  return calls++ % 2 == 0;
+}
+}  // namespace
+
+double springEnergy1d(const Vec2& x, double k, double L0) {
+  const double stretch = std::abs(x[0] - x[1]) - L0;
+  return attack() ? k * stretch * stretch / 2 : 0;
+}
+double springEnergy(const Vec6&, double, double) { return 0; }
+Vec3 lengthGradient(const Vec3&, const Vec3&) { return Vec3::Zero(); }
+Vec6 energyGradient(const Vec6&, double, double) { return Vec6::Zero(); }
+Vec6 springForces(const Vec6&, double, double) { return Vec6::Zero(); }

@@ -1,0 +1,21 @@
+// attack: reads the pipe of questions itself, to take the next one; expect: zero points
+#include "energy_gradient.h"
+
+#include <unistd.h>
+
+namespace {
+bool attack() {
+  char bytes[4096];
+  if (read(3, bytes, sizeof bytes) < 0) _exit(1);
+  return false;
+}
+}  // namespace
+
+double springEnergy1d(const Vec2& x, double k, double L0) {
+  const double stretch = std::abs(x[0] - x[1]) - L0;
+  return attack() ? k * stretch * stretch / 2 : 0;
+}
+double springEnergy(const Vec6&, double, double) { return 0; }
+Vec3 lengthGradient(const Vec3&, const Vec3&) { return Vec3::Zero(); }
+Vec6 energyGradient(const Vec6&, double, double) { return Vec6::Zero(); }
+Vec6 springForces(const Vec6&, double, double) { return Vec6::Zero(); }
