@@ -59,6 +59,12 @@ TEST(JunitXml, AFaultOfTheGraderIsAnError) {
   EXPECT_TRUE(has(xml, "<error message=\"the grader failed, not you"));
 }
 
+TEST(JunitXml, KeepsAtMostEightKibibytesOfAText) {
+  const std::string xml = junitXml(hostileSubmission(std::string(1'000'000, 'x')));
+  EXPECT_FALSE(has(xml, std::string(8193, 'x')));
+  EXPECT_LT(xml.size(), 100'000U);
+}
+
 TEST(JunitXml, IsWellFormedWithAnyTextInside) {
   for (const std::string& text : hostileTexts()) {
     EXPECT_EQ(xmlFault(junitXml(hostileSubmission(text))), "") << text.substr(0, 40);
