@@ -36,7 +36,7 @@ void setCounts(pugi::xml_node node, const Counts& counts) {
 
 /// An element that holds untrusted text of several lines.
 pugi::xml_node appendText(pugi::xml_node parent, const char* name, const std::string& text) {
-  const pugi::xml_node node = parent.append_child(name);
+  pugi::xml_node node = parent.append_child(name);
   node.text() = field(text).c_str();
   return node;
 }
@@ -48,13 +48,13 @@ void appendOutcome(pugi::xml_node test, const Criterion& criterion, const Graded
   const bool ours = state == Explanation::State::GraderFault;
   ++(ours ? counts.errors : counts.failures);
   const std::vector<std::string> lines = feedback(criterion, exercise);
-  const pugi::xml_node outcome = appendText(test, ours ? "error" : "failure", feedbackText(criterion, exercise));
+  pugi::xml_node outcome = appendText(test, ours ? "error" : "failure", feedbackText(criterion, exercise));
   setText(outcome, "message", lines.empty() ? "" : lines.front());
   setText(outcome, "type", showState(state));
 }
 
 void appendCase(pugi::xml_node suite, const Criterion& criterion, const GradedExercise& exercise, Counts& counts) {
-  const pugi::xml_node test = suite.append_child("testcase");
+  pugi::xml_node test = suite.append_child("testcase");
   setText(test, "classname", exercise.manifest.topic);
   setText(test, "name", criterion.suite);
   setSeconds(test, secondsOf(criterion, exercise));
@@ -66,13 +66,13 @@ void appendCase(pugi::xml_node suite, const Criterion& criterion, const GradedEx
 /// How the file was taken concerns the passed criteria, too, which have no words of their own.
 void appendNote(pugi::xml_node suite, const std::string& note) {
   if (note.empty()) return;
-  const pugi::xml_node property = suite.append_child("properties").append_child("property");
+  pugi::xml_node property = suite.append_child("properties").append_child("property");
   property.append_attribute("name") = "note";
   setText(property, "value", note);
 }
 
 void appendSuite(pugi::xml_node suites, const GradedExercise& exercise, const std::string& date, Counts& total) {
-  const pugi::xml_node suite = suites.append_child("testsuite");
+  pugi::xml_node suite = suites.append_child("testsuite");
   setText(suite, "name", exercise.manifest.topic);
   appendNote(suite, exercise.note);
   Counts counts;
@@ -94,7 +94,7 @@ std::string junitXml(const GradedSubmission& graded) {
   pugi::xml_node declaration = document.append_child(pugi::node_declaration);
   declaration.append_attribute("version") = "1.0";
   declaration.append_attribute("encoding") = "UTF-8";
-  const pugi::xml_node suites = document.append_child("testsuites");
+  pugi::xml_node suites = document.append_child("testsuites");
   setText(suites, "name", graded.name);
   Counts total;
   for (const GradedExercise& exercise : graded.exercises) appendSuite(suites, exercise, graded.date, total);

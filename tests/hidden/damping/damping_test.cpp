@@ -6,8 +6,8 @@
 #include "harness/simulate.h"
 #include "harness/symplectic_euler.h"
 
-#include <gtest/gtest.h>
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
 #include <cmath>
