@@ -21,6 +21,7 @@ target_compile_definitions(muelle_flags INTERFACE GTEST_HAS_PTHREAD=1)
 # The grader's own: absent on a student's machine.
 if(EXISTS ${CMAKE_SOURCE_DIR}/framework/grader/CMakeLists.txt)
   find_package(nlohmann_json REQUIRED)
+  find_package(pugixml REQUIRED)
   pkg_check_modules(libarchive REQUIRED IMPORTED_TARGET libarchive)
   pkg_check_modules(libseccomp REQUIRED IMPORTED_TARGET libseccomp)
   pkg_check_modules(libcrypto REQUIRED IMPORTED_TARGET libcrypto)

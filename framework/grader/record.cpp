@@ -1,10 +1,12 @@
 #include "grader/record.h"
 
 #include "base/file.h"
+#include "course/testing/mismatch_text.h"
 
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 namespace muelle::grader {
 
@@ -15,11 +17,60 @@ using nlohmann::json;
 /// Student output may hold any bytes; JSON wants UTF-8.
 std::string dump(const json& document) { return document.dump(1, ' ', false, json::error_handler_t::replace); }
 
+/// Raised whenever the meaning of a field changes: an old record is then as if absent.
+constexpr int version = 2;
+
+json toJson(const Mismatch& m) {
+  return {{"label", m.label},
+          {"expression", m.expression},
+          {"of_call", m.ofCall},
+          {"call", m.call},
+          {"row", m.row},
+          {"col", m.col},
+          {"rows", m.rows},
+          {"cols", m.cols},
+          {"got_rows", m.gotRows},
+          {"got_cols", m.gotCols},
+          // As text: JSON knows no number that is not finite.
+          {"got", exactText(m.got)},
+          {"expected", exactText(m.expected)},
+          {"tolerance", exactText(m.tolerance)},
+          {"unit", m.unit},
+          {"says", m.says}};
+}
+
+/// Throws json::exception or std::bad_optional_access.
+double number(const json& document, const char* name) {
+  return exactNumber(document.at(name).get<std::string>()).value();
+}
+
+Mismatch mismatchFromJson(const json& document) {
+  Mismatch m;
+  document.at("label").get_to(m.label);
+  document.at("expression").get_to(m.expression);
+  document.at("of_call").get_to(m.ofCall);
+  document.at("call").get_to(m.call);
+  document.at("row").get_to(m.row);
+  document.at("col").get_to(m.col);
+  document.at("rows").get_to(m.rows);
+  document.at("cols").get_to(m.cols);
+  document.at("got_rows").get_to(m.gotRows);
+  document.at("got_cols").get_to(m.gotCols);
+  m.got = number(document, "got");
+  m.expected = number(document, "expected");
+  m.tolerance = number(document, "tolerance");
+  document.at("unit").get_to(m.unit);
+  document.at("says").get_to(m.says);
+  return m;
+}
+
 json toJson(const TestOutcome& test) {
+  json mismatches = json::array();
+  for (const Mismatch& mismatch : test.mismatches) mismatches.push_back(toJson(mismatch));
   return {{"name", test.name},
           {"property", test.property},
           {"passed", test.passed},
-          {"details", test.details},
+          {"mismatches", mismatches},
           {"call", test.call}};
 }
 
@@ -28,15 +79,36 @@ TestOutcome testFromJson(const json& document) {
   document.at("name").get_to(test.name);
   document.at("property").get_to(test.property);
   document.at("passed").get_to(test.passed);
-  document.at("details").get_to(test.details);
+  for (const json& each : document.at("mismatches")) test.mismatches.push_back(mismatchFromJson(each));
   document.at("call").get_to(test.call);
   return test;
+}
+
+/// Throws json::exception; std::runtime_error or std::bad_optional_access for values that are none of ours.
+Verdict verdictFromJson(const json& document) {
+  if (document.at("version").get<int>() != version) throw std::runtime_error("a record of another version");
+  Verdict verdict;
+  document.at("topic").get_to(verdict.topic);
+  document.at("suite").get_to(verdict.suite);
+  const std::string outcome = document.at("outcome");
+  verdict.outcome = outcomeNamed(outcome);
+  if (nameOf(verdict.outcome) != outcome) throw std::runtime_error("a record of an unknown outcome");
+  for (const json& test : document.at("tests")) verdict.tests.push_back(testFromJson(test));
+  for (const json& mistake : document.at("misconceptions")) {
+    verdict.misconceptions.push_back({mistake.at("id"), mistake.at("function")});
+  }
+  document.at("fault").get_to(verdict.fault);
+  document.at("grader_fault").get_to(verdict.graderFault);
+  document.at("output").get_to(verdict.output);
+  document.at("seconds").get_to(verdict.seconds);
+  document.at("calls").get_to(verdict.calls);
+  return verdict;
 }
 
 }  // namespace
 
 bool Verdict::passed() const {
-  return fault.empty() && graderFault.empty() && !tests.empty() &&
+  return outcome == Outcome::Passed && fault.empty() && graderFault.empty() && !tests.empty() &&
          std::all_of(tests.begin(), tests.end(), [](const TestOutcome& test) { return test.passed; });
 }
 
@@ -47,8 +119,10 @@ void writeRecord(const Verdict& verdict, const std::filesystem::path& file) {
   for (const NamedMistake& mistake : verdict.misconceptions) {
     mistakes.push_back({{"id", mistake.id}, {"function", mistake.function}});
   }
-  writeFile(file, dump({{"topic", verdict.topic},
+  writeFile(file, dump({{"version", version},
+                        {"topic", verdict.topic},
                         {"suite", verdict.suite},
+                        {"outcome", nameOf(verdict.outcome)},
                         {"tests", tests},
                         {"misconceptions", mistakes},
                         {"fault", verdict.fault},
@@ -62,21 +136,8 @@ std::optional<Verdict> readRecord(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (!stream) return std::nullopt;
   try {
-    const json document = json::parse(stream);
-    Verdict verdict;
-    document.at("topic").get_to(verdict.topic);
-    document.at("suite").get_to(verdict.suite);
-    for (const json& test : document.at("tests")) verdict.tests.push_back(testFromJson(test));
-    for (const json& mistake : document.at("misconceptions")) {
-      verdict.misconceptions.push_back({mistake.at("id"), mistake.at("function")});
-    }
-    document.at("fault").get_to(verdict.fault);
-    document.at("grader_fault").get_to(verdict.graderFault);
-    document.at("output").get_to(verdict.output);
-    document.at("seconds").get_to(verdict.seconds);
-    document.at("calls").get_to(verdict.calls);
-    return verdict;
-  } catch (const json::exception&) {
+    return verdictFromJson(json::parse(stream));
+  } catch (const std::exception&) {
     return std::nullopt;
   }
 }

@@ -1,5 +1,7 @@
 #pragma once
+#include "course/check/outcome.h"
 #include "course/manifest.h"
+#include "course/testing/mismatch.h"
 
 #include <filesystem>
 #include <map>
@@ -14,7 +16,7 @@ struct TestOutcome {
   std::string name;      ///< "FollowsHookesLaw"
   std::string property;  ///< sentence of MUELLE_PROPERTY, or the name
   bool passed = false;
-  std::vector<std::string> details;  ///< one line a failed expectation: what was got and expected
+  std::vector<Mismatch> mismatches;  ///< the failed expectations, the first few of them
   std::string call;                  ///< the latest call before the first failure, as source; "" when none
 };
 
@@ -29,6 +31,7 @@ struct NamedMistake {
 struct Verdict {
   std::string topic;
   std::string suite;
+  Outcome outcome = Outcome::Wrong;  ///< Killed and Wall are the machine's word: no score
   std::vector<TestOutcome> tests;
   std::vector<NamedMistake> misconceptions;  ///< those whose numbers match exactly
   std::string fault;  ///< what the student's code did (crash, time-out, forbidden call ...), one line; "" when nothing
@@ -37,7 +40,7 @@ struct Verdict {
   double seconds = 0.0;
   long calls = 0;
 
-  /// True when every test passed and nothing else went wrong. An empty list of tests is not a pass.
+  /// True when the record says so, every test passed and nothing else went wrong. An empty list of tests is not a pass.
   bool passed() const;
 };
 
@@ -45,15 +48,17 @@ struct Verdict {
 struct BuildOutcome {
   enum class Status { Built, Missing, Refused, CompileError, GraderFault };
   Status status = Status::Missing;
-  std::string message;      ///< one line: what happened
-  std::string diagnostics;  ///< the compiler's words, cut to the student's own lines
+  std::string message;                 ///< one line: what happened
+  std::string diagnostics;             ///< the compiler's words, cut to the student's own lines
+  Outcome outcome = Outcome::Refused;  ///< as `check` names it; of no meaning when Built or GraderFault
 };
 
 /// One exercise of a graded submission.
 struct GradedExercise {
   Manifest manifest;
   BuildOutcome build;
-  std::map<std::string, Verdict> verdicts;  ///< by suite; a criterion without one scores 0
+  std::string note;  ///< how the file was taken, when not under its own name; "" when it was; untrusted text inside
+  std::map<std::string, Verdict> verdicts;  ///< by suite; in a built exercise, a criterion without one has no score
   std::vector<std::string> figures;         ///< SVG texts: the student's curves over the reference
   std::string figuresNote;                  ///< why there are no figures; "" when there are
 };
@@ -68,16 +73,21 @@ struct GradedSubmission {
   double seconds = 0.0;
 };
 
+/// What the grader did wrong for one criterion, in one line; "" when nothing. In a built exercise that is also a record
+/// that is missing, that belongs elsewhere or that holds no test, and one of a run that was ended from outside.
+std::string graderFault(const Criterion& criterion, const GradedExercise& exercise);
+
 /// Points of one criterion: from the manifest and the record alone. nullopt when the grader is at fault.
 std::optional<double> score(const Criterion& criterion, const GradedExercise& exercise);
 /// Sum over the criteria; a criterion with the grader at fault counts nothing (and hasGraderFault() says so).
 double score(const GradedExercise& exercise);
 double score(const GradedSubmission& submission);
 double maxScore(const GradedSubmission& submission);
+bool hasGraderFault(const GradedExercise& exercise);
 bool hasGraderFault(const GradedSubmission& submission);
 
-/// Feedback for one criterion at the manifest's level, most important line first: misconception, fault, property,
-/// values.
+/// Feedback for one criterion at the manifest's level, most important line first: memory that was never written,
+/// misconception, fault, property, values.
 std::vector<std::string> feedback(const Criterion& criterion, const GradedExercise& exercise);
 
 }  // namespace muelle::grader

@@ -3,6 +3,7 @@
 #include "base/process/child.h"
 #include "base/text/printable.h"
 #include "course/check/report_line.h"
+#include "course/testing/mismatch_text.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -35,6 +36,7 @@ class ReportReader {
     if (kind == "tests") report_.total = std::atoi(text.c_str());
     if (kind == "test") begin(text);
     if (kind == "call" && current_.call.empty()) current_.call = text;
+    if (kind == "mismatch") takeMismatch(text);
     if (kind == "failure") current_.messages.push_back(text);
     if (kind == "property") current_.property = text;
     if (kind == "crash") report_.crash = text;
@@ -51,6 +53,9 @@ class ReportReader {
   }
 
  private:
+  void takeMismatch(const std::string& text) {
+    if (const std::optional<Mismatch> mismatch = readMismatch(text)) current_.mismatches.push_back(*mismatch);
+  }
   void begin(const std::string& fullName) {
     const std::size_t dot = fullName.find('.');
     current_ = FailedTest{};
@@ -134,18 +139,15 @@ std::string showFailure(const FailedTest& failure) {
   if (!failure.call.empty()) text += fmt::format("    {};\n", failure.call);
   // The first message is enough to mend; a test with ten components would hide the rest.
   constexpr std::size_t most = 2;
-  for (std::size_t i = 0; i < std::min(most, failure.messages.size()); ++i) {
-    std::string message = failure.messages[i];
-    // "submission::springForce(xa, xb, k, L0), component 0: got ...": the call above says it with numbers.
-    if (message.starts_with("submission::")) {
-      const std::size_t got = message.find(": got ");
-      const std::size_t component = message.rfind(", component ", got);
-      const std::size_t entry = message.rfind(", entry ", got);
-      const std::size_t place = component != std::string::npos ? component : entry;
-      if (got != std::string::npos && !failure.call.empty()) {
-        message = place != std::string::npos ? message.substr(place + 2) : message.substr(got + 2);
-      }
-    }
+  std::size_t shown = 0;
+  for (Mismatch mismatch : failure.mismatches) {
+    if (shown++ == most) break;
+    // "springForce(xa, xb, k, L0)": the call above says it with numbers.
+    if (mismatch.ofCall && !failure.call.empty()) mismatch.expression.clear();
+    text += indented(sentence(mismatch) + "\n", "    ");
+  }
+  for (const std::string& message : failure.messages) {
+    if (shown++ >= most) break;
     text += indented(message + "\n", "    ");
   }
   return printableText(text);

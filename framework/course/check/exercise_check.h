@@ -1,6 +1,7 @@
 #pragma once
 #include "course/check/student_program.h"
 #include "course/manifest.h"
+#include "course/testing/mismatch.h"
 
 #include <string>
 #include <vector>
@@ -13,7 +14,8 @@ struct FailedTest {
   std::string name;
   std::string property;               ///< what the test asks for, in a sentence; "" when it says none
   std::string call;                   ///< the call, to paste: "springForce(1, 0, 10, 1)"; "" when none was made
-  std::vector<std::string> messages;  ///< what was got and expected, or what the crash was
+  std::vector<Mismatch> mismatches;   ///< the numbers that were off
+  std::vector<std::string> messages;  ///< what else went wrong: an exception, what the crash was
 };
 
 /// What the public tests say about a program.

@@ -10,6 +10,7 @@
 #include "course/check/eigen_message.h"
 #include "course/check/report_line.h"
 #include "course/testing/call_record.h"
+#include "course/testing/mismatch_text.h"
 #include "figures/write.h"
 #include "harness/demo.h"
 
@@ -40,6 +41,10 @@ class ReportingListener : public testing::EmptyTestEventListener {
   void OnTestPartResult(const testing::TestPartResult& part) override {
     if (!part.failed()) return;
     report("call", CallRecord::lastCall());
+    if (std::optional<Mismatch> mismatch = takeMismatch(part.message())) {
+      mismatch->call = CallRecord::lastCall();
+      return report("mismatch", mismatchText(*mismatch));
+    }
     report("failure", withoutExceptionPhrase(part.message()));
   }
   void OnTestEnd(const testing::TestInfo& test) override {

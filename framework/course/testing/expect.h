@@ -2,10 +2,12 @@
 /// \file
 /// Strict comparisons for the tests of an exercise, public and hidden.
 ///
-/// A wrong size, a NaN or an infinity fails, whatever the tolerance. The message gives the index, the expected and the
-/// received value and the tolerance. Tolerances are absolute, in the unit of what is compared; `roundOff(scale)` gives
-/// the usual one.
+/// A wrong size, a NaN or an infinity fails, whatever the tolerance. A failure leaves a Mismatch for the listener, with
+/// the index, the expected and the received value and the tolerance; the message is its sentence. Tolerances are
+/// absolute, in the unit of what is compared; `roundOff(scale)` gives the usual one. What an expectation compares is
+/// named by MUELLE_LABEL, not by words streamed into it, which no report shows.
 
+#include "course/testing/mismatch.h"
 #include "harness/types.h"
 
 #include <gtest/gtest.h>
@@ -37,6 +39,13 @@ inline double roundOff(double scale) { return 1e-9 * scale; }
   ASSERT_PRED_FORMAT3(::muelle::numberNear, actual, expected, tolerance)
 #define ASSERT_VECTOR_NEAR(actual, expected, tolerance) \
   ASSERT_PRED_FORMAT3(::muelle::matrixNear, actual, expected, tolerance)
+
+#define MUELLE_JOINED(a, b) a##b
+#define MUELLE_NAME_WITH(prefix, line) MUELLE_JOINED(prefix, line)
+
+/// Names what the expectations of the rest of this scope compare, and their unit, in the student's words:
+/// MUELLE_LABEL("height at t = 0.35 s", "m"); the reports show it in place of the test's source.
+#define MUELLE_LABEL(...) const ::muelle::MismatchLabel MUELLE_NAME_WITH(muelleLabel, __LINE__)(__VA_ARGS__)
 
 /// Says in one sentence what the test asks for, in the student's words: the feedback of level `property` shows it.
 /// First line of every TEST: MUELLE_PROPERTY("the force pulls a towards b when the spring is stretched");

@@ -12,19 +12,14 @@ namespace {
 
 using State = Explanation::State;
 
-constexpr std::size_t shownDetails = 4;
+constexpr std::size_t shownFailures = 4;
 constexpr std::size_t shownBytes = 2000;
 constexpr std::size_t outputBytes = 8 * 1024;
 
 std::string line(const std::string& text) { return cut(printableLine(text), shownBytes); }
 
-/// The tests write submission::springForce(...); in a student's file the function has no such prefix.
-std::string asStudentsWrite(std::string text) {
-  constexpr std::string_view prefix = "submission::";
-  for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at))
-    text.erase(at, prefix.size());
-  return line(text);
-}
+constexpr const char* neverWrittenSays =
+    "it returned memory to which nothing was written: give every variable and every entry a value before you use it";
 
 const Verdict* verdictOf(const Criterion& criterion, const GradedExercise& exercise) {
   const auto found = exercise.verdicts.find(criterion.suite);
@@ -48,15 +43,13 @@ std::string unbuilt(const GradedExercise& exercise) {
     case BuildOutcome::Status::GraderFault:
       break;
   }
-  return "the grader failed, not you; no score, it will be run again: " + say("the build did not run");
+  return "";
 }
 
-/// The criterion's state when the exercise was built and a record is there.
+/// The criterion's state when the exercise was built and its record counts.
 State stateOf(const Criterion& criterion, const GradedExercise& exercise) {
-  const std::optional<double> points = score(criterion, exercise);
-  if (!points) return State::GraderFault;
-  if (*points >= criterion.points && verdictOf(criterion, exercise)->passed()) return State::Passed;
-  return *points > 0.0 ? State::Partial : State::Failed;
+  if (verdictOf(criterion, exercise)->passed()) return State::Passed;
+  return score(criterion, exercise).value_or(0.0) > 0.0 ? State::Partial : State::Failed;
 }
 
 /// One mistake may show in several functions; the manifest may say something else for each, or the same for all.
@@ -78,13 +71,27 @@ std::vector<Explanation::Mistake> mistakesOf(const Verdict& verdict, const Manif
   return mistakes;
 }
 
-std::vector<std::string> detailsOf(const TestOutcome& test) {
-  std::vector<std::string> details;
-  for (std::size_t i = 0; i < std::min(test.details.size(), shownDetails); ++i)
-    details.push_back(asStudentsWrite(test.details[i]));
-  if (test.details.size() > shownDetails)
-    details.push_back(fmt::format("... and {} more", test.details.size() - shownDetails));
-  return details;
+MismatchWords printable(const MismatchWords& words) {
+  return {line(words.what), line(words.got), line(words.expected), line(words.bounds)};
+}
+
+/// The first few failures, each under its call; the call alone when nothing was compared before the test ended.
+std::vector<Explanation::Failure> failuresOf(const TestOutcome& test) {
+  if (test.mismatches.empty() && !test.call.empty()) return {{line(test.call), {}, ""}};
+  std::vector<Explanation::Failure> failures;
+  std::string before;
+  for (std::size_t i = 0; i < std::min(test.mismatches.size(), shownFailures); ++i) {
+    const Mismatch& mismatch = test.mismatches[i];
+    const std::string& call = mismatch.call.empty() && i == 0 ? test.call : mismatch.call;
+    failures.push_back({call == before ? "" : line(call), printable(wordsOf(mismatch)), line(sentence(mismatch))});
+    before = call;
+  }
+  return failures;
+}
+
+std::string moreOf(const TestOutcome& test) {
+  return test.mismatches.size() > shownFailures ? fmt::format("... and {} more", test.mismatches.size() - shownFailures)
+                                                : "";
 }
 
 std::vector<Explanation::FailedTest> failedTests(const Verdict& verdict, FeedbackLevel level) {
@@ -92,10 +99,10 @@ std::vector<Explanation::FailedTest> failedTests(const Verdict& verdict, Feedbac
   if (level == FeedbackLevel::Criterion) return failed;
   for (const TestOutcome& test : verdict.tests) {
     if (test.passed) continue;
-    Explanation::FailedTest shown{line(test.name), line(test.property.empty() ? test.name : test.property), "", {}};
+    Explanation::FailedTest shown{line(test.name), line(test.property.empty() ? test.name : test.property), {}, ""};
     if (level == FeedbackLevel::Values) {
-      shown.call = asStudentsWrite(test.call);
-      shown.details = detailsOf(test);
+      shown.failures = failuresOf(test);
+      shown.more = moreOf(test);
     }
     failed.push_back(std::move(shown));
   }
@@ -106,27 +113,23 @@ std::vector<Explanation::FailedTest> failedTests(const Verdict& verdict, Feedbac
 
 Explanation explain(const Criterion& criterion, const GradedExercise& exercise) {
   Explanation explanation;
+  explanation.note = line(exercise.note);
+  if (const std::string fault = graderFault(criterion, exercise); !fault.empty()) {
+    explanation.state = State::GraderFault;
+    explanation.instead = line(fault);
+    return explanation;
+  }
   explanation.instead = unbuilt(exercise);
-  if (!explanation.instead.empty()) {
-    const bool ours = exercise.build.status == BuildOutcome::Status::GraderFault;
-    explanation.state = ours ? State::GraderFault : State::NotRun;
-    return explanation;
-  }
-  const Verdict* verdict = verdictOf(criterion, exercise);
-  if (verdict == nullptr) {
-    explanation.instead = "not run: there is no record of this criterion";
-    return explanation;
-  }
-  explanation.state = stateOf(criterion, exercise);
-  if (explanation.state == State::GraderFault) {
-    explanation.instead = "the grader failed, not you; no score, it will be run again: " + line(verdict->graderFault);
-  }
-  if (explanation.state == State::Passed || explanation.state == State::GraderFault) return explanation;
+  if (!explanation.instead.empty()) return explanation;
 
+  explanation.state = stateOf(criterion, exercise);
+  if (explanation.state == State::Passed) return explanation;
+  const Verdict& verdict = *verdictOf(criterion, exercise);
   const Manifest& manifest = exercise.manifest;
-  if (manifest.feedback != FeedbackLevel::Criterion) explanation.mistakes = mistakesOf(*verdict, manifest);
-  explanation.fault = line(verdict->fault);
-  explanation.tests = failedTests(*verdict, manifest.feedback);
+  if (verdict.outcome == Outcome::NeverWritten) explanation.neverWritten = neverWrittenSays;
+  if (manifest.feedback != FeedbackLevel::Criterion) explanation.mistakes = mistakesOf(verdict, manifest);
+  explanation.fault = line(verdict.fault);
+  explanation.tests = failedTests(verdict, manifest.feedback);
   if (explanation.mistakes.empty()) explanation.hint = line(criterion.hint);
   return explanation;
 }

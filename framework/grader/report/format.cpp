@@ -19,6 +19,14 @@ std::string showScore(const Criterion& criterion, const GradedExercise& exercise
   return points ? showPoints(*points) : "no score";
 }
 
+std::string showScore(const GradedExercise& exercise) {
+  return hasGraderFault(exercise) ? "no score" : showPoints(score(exercise));
+}
+
+std::string showScore(const GradedSubmission& graded) {
+  return hasGraderFault(graded) ? "no score" : showPoints(score(graded));
+}
+
 std::string showState(Explanation::State state) {
   switch (state) {
     case Explanation::State::Passed:
@@ -43,6 +51,16 @@ double maxScore(const GradedExercise& exercise) {
 
 std::string showSandbox(const GradedSubmission& graded) {
   return graded.sandbox.empty() ? "none known" : printableLine(graded.sandbox);
+}
+
+std::string field(const std::string& text) {
+  constexpr std::size_t ellipsis = 3;
+  return cut(printableText(text), fieldBytes - ellipsis);
+}
+
+std::string fieldLine(const std::string& text) {
+  constexpr std::size_t ellipsis = 3;
+  return cut(printableLine(text), fieldBytes - ellipsis);
 }
 
 std::string feedbackText(const Criterion& criterion, const GradedExercise& exercise) {

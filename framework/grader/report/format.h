@@ -14,6 +14,9 @@ std::string showPoints(double points);
 
 /// Points of a criterion, or "no score" when the grader is at fault.
 std::string showScore(const Criterion& criterion, const GradedExercise& exercise);
+/// The same of a sum: no score as soon as one part has none.
+std::string showScore(const GradedExercise& exercise);
+std::string showScore(const GradedSubmission& graded);
 
 /// "passed", "in part", "failed", "not run", "grader's fault".
 std::string showState(Explanation::State state);
@@ -23,6 +26,14 @@ double maxScore(const GradedExercise& exercise);
 
 /// "bubblewrap", or a warning when the name is missing: one printable line.
 std::string showSandbox(const GradedSubmission& graded);
+
+/// The most that a field of a file for other programs takes, in bytes.
+constexpr std::size_t fieldBytes = 8 * 1024;
+
+/// A text, printable or not, as such a field: printable, several lines, at most `fieldBytes` long.
+std::string field(const std::string& text);
+/// The same on one line.
+std::string fieldLine(const std::string& text);
 
 /// feedback() as one text, a line each.
 std::string feedbackText(const Criterion& criterion, const GradedExercise& exercise);

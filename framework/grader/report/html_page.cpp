@@ -58,26 +58,24 @@ std::string paragraph(const char* kind, const std::string& text) {
   return text.empty() ? "" : fmt::format("<p class=\"{}\">{}</p>\n", kind, escapeHtml(text));
 }
 
-/// "springForce(...), component 2: got 1, expected 2 (difference ...)" taken apart; any other line as it is.
-std::string detail(const std::string& line) {
-  const std::size_t got = line.rfind(": got "), expected = line.rfind(", expected ");
-  if (got == std::string::npos || expected == std::string::npos || expected < got) return paragraph("other", line);
-  const std::size_t value = got + 6, wanted = expected + 11;
-  const std::size_t rest = std::min(line.find(" (", wanted), line.size());
-  return fmt::format(
-      "<p class=\"what\">{}</p>\n<dl><dt>got</dt><dd class=\"got\">{}</dd><dt>expected</dt><dd><span "
-      "class=\"wanted\">{}</span>"
-      "<span class=\"rest\">{}</span></dd></dl>\n",
-      escapeHtml(line.substr(0, got)), escapeHtml(line.substr(value, expected - value)),
-      escapeHtml(line.substr(wanted, rest - wanted)), escapeHtml(line.substr(rest)));
+/// Got and expected side by side; a statement as it is.
+std::string failure(const Explanation::Failure& failure) {
+  std::string html = paragraph("call", failure.call);
+  if (failure.words.got.empty()) return html + paragraph("other", failure.sentence);
+  html += paragraph("what", failure.words.what);
+  return html + fmt::format(
+                    "<dl><dt>got</dt><dd class=\"got\">{}</dd><dt>expected</dt><dd><span class=\"wanted\">{}</span>"
+                    "<span class=\"rest\">{}</span></dd></dl>\n",
+                    escapeHtml(failure.words.got), escapeHtml(failure.words.expected),
+                    failure.words.bounds.empty() ? "" : fmt::format(" ({})", escapeHtml(failure.words.bounds)));
 }
 
 std::string failedTest(const Explanation::FailedTest& test) {
   std::string html = "<div class=\"test\">\n" + paragraph("property", test.property);
-  if (test.call.empty() && test.details.empty()) return html + "</div>\n";
-  html += "<div class=\"values\">\n" + paragraph("call", test.call);
-  for (const std::string& line : test.details) html += detail(line);
-  return html + "</div>\n</div>\n";
+  if (test.failures.empty()) return html + "</div>\n";
+  html += "<div class=\"values\">\n";
+  for (const Explanation::Failure& each : test.failures) html += failure(each);
+  return html + paragraph("other", test.more) + "</div>\n</div>\n";
 }
 
 std::string mistake(const Explanation::Mistake& mistake) {
@@ -86,7 +84,7 @@ std::string mistake(const Explanation::Mistake& mistake) {
 }
 
 std::string why(const Explanation& explanation, const std::string& printed) {
-  std::string html = paragraph("soft", explanation.instead);
+  std::string html = paragraph("soft", explanation.instead) + paragraph("fault", explanation.neverWritten);
   for (const auto& m : explanation.mistakes) html += mistake(m);
   html += paragraph("fault", explanation.fault);
   for (const auto& test : explanation.tests) html += failedTest(test);
@@ -130,11 +128,13 @@ std::string curves(const GradedExercise& exercise) {
 
 std::string exerciseSection(const GradedExercise& exercise) {
   const double points = score(exercise), most = maxScore(exercise);
+  const bool ours = hasGraderFault(exercise);
   std::string html = fmt::format(
       "<section class=\"exercise card\" id=\"{0}\">\n<header class=\"{1}\"><h2>{2}</h2>{3}<p "
       "class=\"soft\">{0}</p>{4}</header>\n",
-      escapeHtml(exercise.manifest.topic), classOf(points, most), escapeHtml(exercise.manifest.title),
-      pointsOf(showPoints(points), most, " / "), bar(points, most));
+      escapeHtml(exercise.manifest.topic), ours ? "part" : classOf(points, most), escapeHtml(exercise.manifest.title),
+      pointsOf(showScore(exercise), most, " / "), bar(points, most));
+  if (!exercise.note.empty()) html += "<div class=\"block\">\n" + paragraph("soft", exercise.note) + "</div>\n";
   html += buildBlock(exercise);
   for (const Criterion& criterion : exercise.manifest.criteria) html += criterionRow(criterion, exercise);
   return html + curves(exercise) + "</section>\n";
@@ -152,11 +152,11 @@ std::string pageHeader(const GradedSubmission& graded) {
   std::string html = fmt::format(
       "<header class=\"total {}\"><div><p class=\"soft\">Muelle: graded submission</p><h1>{}</h1>"
       "<p class=\"soft\">{}graded in {:.1f} s</p></div>{}{}</header>\n",
-      classOf(points, most), escapeHtml(graded.name), escapeHtml(showDate(graded.date)), graded.seconds,
-      pointsOf(showPoints(points), most, " of "), bar(points, most));
+      hasGraderFault(graded) ? "part" : classOf(points, most), escapeHtml(graded.name),
+      escapeHtml(showDate(graded.date)), graded.seconds, pointsOf(showScore(graded), most, " of "), bar(points, most));
   if (hasGraderFault(graded))
     html +=
-        "<p class=\"warning\">The grader failed on part of this submission. That is not your fault: the total is no "
+        "<p class=\"warning\">The grader failed on part of this submission. That is not your fault: there is no "
         "score yet, and it will be run again.</p>\n";
   return html;
 }
@@ -167,8 +167,8 @@ std::string overview(const GradedSubmission& graded) {
     const double points = score(exercise), most = maxScore(exercise);
     html +=
         fmt::format("<a class=\"{}\" href=\"#{}\"><span>{}</span>{}<span class=\"points\"><b>{}</b> / {}</span></a>\n",
-                    classOf(points, most), escapeHtml(exercise.manifest.topic), escapeHtml(exercise.manifest.title),
-                    bar(points, most), showPoints(points), showPoints(most));
+                    hasGraderFault(exercise) ? "part" : classOf(points, most), escapeHtml(exercise.manifest.topic),
+                    escapeHtml(exercise.manifest.title), bar(points, most), showScore(exercise), showPoints(most));
   }
   return html + "</nav>\n";
 }
@@ -191,7 +191,7 @@ std::string htmlPage(const GradedSubmission& graded) {
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n<meta name=\"referrer\" content=\"no-referrer\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{} / {} · {}</title>\n"
       "<style>{}</style>\n</head>\n<body>\n<main>\n",
-      policy, showPoints(score(graded)), showPoints(maxScore(graded)), escapeHtml(graded.name), pageStyle);
+      policy, showScore(graded), showPoints(maxScore(graded)), escapeHtml(graded.name), pageStyle);
   html += pageHeader(graded) + overview(graded);
   for (const GradedExercise& exercise : graded.exercises) html += exerciseSection(exercise);
   return html + pageFooter(graded) + "</main>\n</body>\n</html>\n";

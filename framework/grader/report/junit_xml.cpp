@@ -1,8 +1,9 @@
-#include "base/text/escape.h"
 #include "grader/report/format.h"
 #include "grader/report/report.h"
 
 #include <fmt/format.h>
+#include <pugixml.hpp>
+#include <sstream>
 
 namespace muelle::grader {
 
@@ -17,56 +18,91 @@ double secondsOf(const Criterion& criterion, const GradedExercise& exercise) {
   return found == exercise.verdicts.end() ? 0.0 : found->second.seconds;
 }
 
-std::string outcome(const Criterion& criterion, const GradedExercise& exercise, Counts& counts) {
+/// An attribute of untrusted text.
+void setText(pugi::xml_node node, const char* name, const std::string& text) {
+  node.append_attribute(name) = fieldLine(text).c_str();
+}
+
+void setSeconds(pugi::xml_node node, double seconds) {
+  node.append_attribute("time") = fmt::format("{:.3f}", seconds).c_str();
+}
+
+void setCounts(pugi::xml_node node, const Counts& counts) {
+  node.append_attribute("tests") = static_cast<unsigned long long>(counts.tests);
+  node.append_attribute("failures") = static_cast<unsigned long long>(counts.failures);
+  node.append_attribute("errors") = static_cast<unsigned long long>(counts.errors);
+  node.append_attribute("skipped") = 0;
+}
+
+/// An element that holds untrusted text of several lines.
+pugi::xml_node appendText(pugi::xml_node parent, const char* name, const std::string& text) {
+  pugi::xml_node node = parent.append_child(name);
+  node.text() = field(text).c_str();
+  return node;
+}
+
+void appendOutcome(pugi::xml_node test, const Criterion& criterion, const GradedExercise& exercise, Counts& counts) {
   const Explanation::State state = explain(criterion, exercise).state;
   ++counts.tests;
-  if (state == Explanation::State::Passed) return "";
+  if (state == Explanation::State::Passed) return;
   const bool ours = state == Explanation::State::GraderFault;
   ++(ours ? counts.errors : counts.failures);
   const std::vector<std::string> lines = feedback(criterion, exercise);
-  return fmt::format("      <{0} message=\"{1}\" type=\"{2}\">{3}</{0}>\n", ours ? "error" : "failure",
-                     escapeXmlAttribute(lines.empty() ? "" : lines.front()), escapeXmlAttribute(showState(state)),
-                     escapeXml(feedbackText(criterion, exercise)));
+  pugi::xml_node outcome = appendText(test, ours ? "error" : "failure", feedbackText(criterion, exercise));
+  setText(outcome, "message", lines.empty() ? "" : lines.front());
+  setText(outcome, "type", showState(state));
 }
 
-std::string testCase(const Criterion& criterion, const GradedExercise& exercise, Counts& counts) {
-  std::string text = fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\">\n",
-                                 escapeXmlAttribute(exercise.manifest.topic), escapeXmlAttribute(criterion.suite),
-                                 secondsOf(criterion, exercise));
-  text += outcome(criterion, exercise, counts);
+void appendCase(pugi::xml_node suite, const Criterion& criterion, const GradedExercise& exercise, Counts& counts) {
+  pugi::xml_node test = suite.append_child("testcase");
+  setText(test, "classname", exercise.manifest.topic);
+  setText(test, "name", criterion.suite);
+  setSeconds(test, secondsOf(criterion, exercise));
+  appendOutcome(test, criterion, exercise, counts);
   const std::string printed = shownOutput(criterion, exercise);
-  if (!printed.empty()) text += fmt::format("      <system-out>{}</system-out>\n", escapeXml(printed));
-  return text + "    </testcase>\n";
+  if (!printed.empty()) appendText(test, "system-out", printed);
 }
 
-std::string attributes(const Counts& counts) {
-  return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"0\"", counts.tests, counts.failures,
-                     counts.errors);
+/// How the file was taken concerns the passed criteria, too, which have no words of their own.
+void appendNote(pugi::xml_node suite, const std::string& note) {
+  if (note.empty()) return;
+  pugi::xml_node property = suite.append_child("properties").append_child("property");
+  property.append_attribute("name") = "note";
+  setText(property, "value", note);
 }
 
-std::string testSuite(const GradedExercise& exercise, const std::string& date, Counts& total) {
+void appendSuite(pugi::xml_node suites, const GradedExercise& exercise, const std::string& date, Counts& total) {
+  pugi::xml_node suite = suites.append_child("testsuite");
+  setText(suite, "name", exercise.manifest.topic);
+  appendNote(suite, exercise.note);
   Counts counts;
-  std::string cases;
   double seconds = 0.0;
   for (const Criterion& criterion : exercise.manifest.criteria) {
-    cases += testCase(criterion, exercise, counts);
+    appendCase(suite, criterion, exercise, counts);
     seconds += secondsOf(criterion, exercise);
   }
+  setCounts(suite, counts);
+  setSeconds(suite, seconds);
+  setText(suite, "timestamp", date);
   total = {total.tests + counts.tests, total.failures + counts.failures, total.errors + counts.errors};
-  return fmt::format("  <testsuite name=\"{}\" {} time=\"{:.3f}\" timestamp=\"{}\">\n{}  </testsuite>\n",
-                     escapeXmlAttribute(exercise.manifest.topic), attributes(counts), seconds, escapeXmlAttribute(date),
-                     cases);
 }
 
 }  // namespace
 
 std::string junitXml(const GradedSubmission& graded) {
+  pugi::xml_document document;
+  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+  declaration.append_attribute("version") = "1.0";
+  declaration.append_attribute("encoding") = "UTF-8";
+  pugi::xml_node suites = document.append_child("testsuites");
+  setText(suites, "name", graded.name);
   Counts total;
-  std::string suites;
-  for (const GradedExercise& exercise : graded.exercises) suites += testSuite(exercise, graded.date, total);
-  return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"{}\" {} time=\"{:.3f}\">\n{}</testsuites>\n",
-      escapeXmlAttribute(graded.name), attributes(total), graded.seconds, suites);
+  for (const GradedExercise& exercise : graded.exercises) appendSuite(suites, exercise, graded.date, total);
+  setCounts(suites, total);
+  setSeconds(suites, graded.seconds);
+  std::ostringstream xml;
+  document.save(xml, "  ");
+  return xml.str();
 }
 
 }  // namespace muelle::grader

@@ -13,6 +13,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// So that the words of one exercise's compiler leave room for the next one's.
+constexpr std::size_t messageBytes = 500;
+constexpr int diagnosticLines = 30;
+constexpr std::size_t diagnosticBytes = 2000;
+
 Json testJson(const Criterion& criterion, const GradedExercise& exercise, const std::string& number) {
   const Explanation::State state = explain(criterion, exercise).state;
   std::string output = feedbackText(criterion, exercise);
@@ -24,10 +29,10 @@ Json testJson(const Criterion& criterion, const GradedExercise& exercise, const 
   if (points) test["score"] = *points;
   test["max_score"] = criterion.points;
   test["status"] = state == Explanation::State::Passed ? "passed" : "failed";
-  test["name"] = printableLine(exercise.manifest.title + ": " + criterion.name);
+  test["name"] = fieldLine(exercise.manifest.title + ": " + criterion.name);
   test["name_format"] = "text";
   test["number"] = number;
-  test["output"] = output;
+  test["output"] = field(output);
   test["output_format"] = "text";
   test["visibility"] = "visible";
   return test;
@@ -43,10 +48,11 @@ std::string summary(const GradedSubmission& graded) {
   for (const std::string& note : graded.intakeNotes) text += printableLine(note) + '\n';
   for (const GradedExercise& exercise : graded.exercises) {
     if (exercise.build.diagnostics.empty()) continue;
-    text += fmt::format("\n{}: {}\n{}\n", printableLine(exercise.manifest.title), printableLine(exercise.build.message),
-                        printableText(exercise.build.diagnostics));
+    text += fmt::format("\n{}: {}\n{}\n", printableLine(exercise.manifest.title),
+                        cut(printableLine(exercise.build.message), messageBytes),
+                        cutText(printableText(exercise.build.diagnostics), diagnosticLines, diagnosticBytes));
   }
-  return text;
+  return field(text);
 }
 
 }  // namespace

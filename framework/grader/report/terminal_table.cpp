@@ -16,7 +16,11 @@ using State = Explanation::State;
 constexpr int pointsWidth = 14;
 constexpr int narrowest = 40;
 constexpr int widest = 110;
-constexpr std::size_t diagnosticLines = 8;
+constexpr int diagnosticLines = 8;
+constexpr std::size_t diagnosticBytes = 800;
+constexpr std::size_t nameBytes = 200;      ///< a name or a title: about three lines
+constexpr std::size_t sentenceBytes = 480;  ///< a sentence or a note: about six lines
+constexpr std::size_t mostNotes = 12;
 
 /// The longest piece of `line` that fits into `width` columns, at least one character; ends at a space when it can.
 std::string takeColumns(std::string& line, int width) {
@@ -46,14 +50,14 @@ class Table {
   Table(bool colour, int width) : colour_(colour), width_(std::clamp(width, narrowest, widest)) {}
 
   void submission(const GradedSubmission& graded) {
-    row("", graded.name, pointsOf(score(graded), maxScore(graded)), bold);
+    row("", graded.name, pointsOf(showScore(graded), maxScore(graded)), bold);
     for (const GradedExercise& exercise : graded.exercises) this->exercise(exercise);
     text_ += std::string(static_cast<std::size_t>(width_), '-') + '\n';
-    row("", "total", pointsOf(score(graded), maxScore(graded)), bold);
+    row("", "total", pointsOf(showScore(graded), maxScore(graded)), bold);
     if (hasGraderFault(graded))
       paragraph("", "the grader failed on part of this: the total is no score; run it again", yellow);
     paragraph("", "sandbox: " + showSandbox(graded), dim);
-    for (const std::string& note : graded.intakeNotes) paragraph("", "note: " + printableLine(note), dim);
+    notes(graded.intakeNotes);
   }
 
   std::string text() && { return std::move(text_); }
@@ -65,8 +69,8 @@ class Table {
   static constexpr const char* green = "32";
   static constexpr const char* yellow = "33";
 
-  static std::string pointsOf(double points, double most) {
-    return fmt::format("{} / {}", showPoints(points), showPoints(most));
+  static std::string pointsOf(const std::string& points, double most) {
+    return fmt::format("{} / {}", points, showPoints(most));
   }
 
   std::string painted(const std::string& text, const char* code) const {
@@ -76,7 +80,7 @@ class Table {
   /// Mark and name at the left, points at the right edge; a long name goes on below.
   void row(const std::string& mark, const std::string& name, const std::string& points, const char* code) {
     const int nameWidth = width_ - pointsWidth - columns(mark);
-    std::vector<std::string> lines = wrap(printableLine(name), nameWidth);
+    std::vector<std::string> lines = wrap(cut(printableLine(name), nameBytes), nameWidth);
     if (lines.empty()) lines.emplace_back();
     const int gap = nameWidth - columns(lines.front());
     const std::string padding(static_cast<std::size_t>(std::max(gap, 0)), ' ');
@@ -87,14 +91,17 @@ class Table {
     }
   }
 
+  /// Text of a submission is in it: it must be a few lines, however long that text is.
   void paragraph(const std::string& indent, const std::string& line, const char* code) {
-    for (const std::string& piece : wrap(line, width_ - columns(indent))) text_ += indent + painted(piece, code) + '\n';
+    for (const std::string& piece : wrap(cut(printableLine(line), sentenceBytes), width_ - columns(indent)))
+      text_ += indent + painted(piece, code) + '\n';
   }
 
   void exercise(const GradedExercise& exercise) {
     text_ += '\n';
     row("", fmt::format("{}  {}", exercise.manifest.topic, exercise.manifest.title),
-        pointsOf(score(exercise), maxScore(exercise)), bold);
+        pointsOf(showScore(exercise), maxScore(exercise)), bold);
+    if (!exercise.note.empty()) paragraph("  ", "note: " + exercise.note, dim);
     if (exercise.build.status != BuildOutcome::Status::Built) return unbuilt(exercise);
     for (const Criterion& criterion : exercise.manifest.criteria) this->criterion(criterion, exercise);
   }
@@ -104,12 +111,17 @@ class Table {
     if (exercise.manifest.criteria.empty()) return;
     const bool ours = exercise.build.status == BuildOutcome::Status::GraderFault;
     paragraph("  ", feedback(exercise.manifest.criteria.front(), exercise).front(), ours ? yellow : red);
-    std::istringstream diagnostics(printableText(exercise.build.diagnostics));
-    std::string line;
-    for (std::size_t i = 0; std::getline(diagnostics, line); ++i) {
-      if (i == diagnosticLines) return paragraph("    ", "... more in report.html", dim);
-      paragraph("    ", line, dim);
-    }
+    const std::string words = printableText(exercise.build.diagnostics);
+    const std::string kept = cutText(words, diagnosticLines, diagnosticBytes);
+    std::istringstream shown(kept);
+    for (std::string line; std::getline(shown, line);) paragraph("    ", line, dim);
+    if (kept != words) paragraph("    ", "all of it stands in report.html", dim);
+  }
+
+  void notes(const std::vector<std::string>& all) {
+    for (std::size_t i = 0; i < std::min(all.size(), mostNotes); ++i) paragraph("", "note: " + all[i], dim);
+    if (all.size() > mostNotes)
+      paragraph("", fmt::format("... and {} more notes in report.html", all.size() - mostNotes), dim);
   }
 
   void criterion(const Criterion& criterion, const GradedExercise& exercise) {

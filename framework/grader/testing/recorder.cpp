@@ -1,19 +1,30 @@
 #include "grader/testing/recorder.h"
 
-#include <sstream>
+#include "course/testing/mismatch.h"
+
 #include <string_view>
 
 namespace muelle::grader {
 
 namespace {
 
-constexpr std::size_t mostDetails = 5;
+constexpr std::size_t mostMismatches = 5;
 
 /// GoogleTest's own words around an exception or a comparison are for programmers; the first line is enough, and a
 /// fault of the submission is told once, in the verdict.
 std::string firstLine(const char* message) {
   const std::string_view text(message);
-  return std::string(text.substr(0, text.find('\n')));
+  const std::string line(text.substr(0, text.find('\n')));
+  return line.empty() ? "failed" : line;
+}
+
+/// What the failed expectation found, or its message where it compared no numbers.
+Mismatch mismatchOf(const ::testing::TestPartResult& part, const std::string& call) {
+  const std::optional<Mismatch> compared = takeMismatch(part.message());
+  Mismatch mismatch = compared.value_or(Mismatch());
+  if (!compared) mismatch.says = firstLine(part.message());
+  mismatch.call = call;
+  return mismatch;
 }
 
 /// The sentence of MUELLE_PROPERTY, or the test's name.
@@ -38,7 +49,7 @@ void Recorder::OnTestPartResult(const ::testing::TestPartResult& part) {
   if (!session_.fault().empty() || !session_.graderFault().empty()) return;
   const bool exception = std::string_view(part.message()).starts_with("C++ exception");
   if (exception) session_.noteGraderFault("a hidden test threw: " + std::string(part.message()));
-  if (current_.details.size() < mostDetails) current_.details.push_back(firstLine(part.message()));
+  if (current_.mismatches.size() < mostMismatches) current_.mismatches.push_back(mismatchOf(part, session_.lastCall()));
 }
 
 void Recorder::OnTestEnd(const ::testing::TestInfo& info) {
@@ -46,6 +57,11 @@ void Recorder::OnTestEnd(const ::testing::TestInfo& info) {
   current_.property = propertyOf(info);
   current_.passed = info.result()->Passed();
   verdict_.tests.push_back(current_);
+}
+
+void Recorder::OnTestProgramEnd(const ::testing::UnitTest& program) {
+  const bool isClean = session_.fault().empty() && session_.graderFault().empty();
+  if (isClean && program.Passed() && !verdict_.tests.empty()) verdict_.outcome = Outcome::Passed;
 }
 
 }  // namespace muelle::grader

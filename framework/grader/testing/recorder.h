@@ -14,6 +14,7 @@ class Recorder : public ::testing::EmptyTestEventListener {
   void OnTestStart(const ::testing::TestInfo& info) override;
   void OnTestPartResult(const ::testing::TestPartResult& part) override;
   void OnTestEnd(const ::testing::TestInfo& info) override;
+  void OnTestProgramEnd(const ::testing::UnitTest& program) override;
 
  private:
   Session& session_;

@@ -7,7 +7,9 @@
 #include "base/file.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <chrono>
+#include <limits>
 
 namespace muelle {
 namespace {
@@ -65,6 +67,46 @@ TEST_F(Check, AWrongNumberIsACallToPaste) {
             "  every component is doubled\n"
             "    twice(Vec3(1, 2, 3));\n"
             "    component 0: got 3, expected 2 (difference 1, tolerance 1e-12)\n");
+}
+
+TEST_F(Check, ANumberThatIsOffArrivesAsANumber) {
+  const TestReport report = run("Vec3 twice(const Vec3& x) { return Vec3(x[0] / 0.0, 0, 0); }\n" + entry);
+  ASSERT_EQ(report.failures.size(), 1U);
+  ASSERT_EQ(report.failures[0].mismatches.size(), 1U);
+  const Mismatch& mismatch = report.failures[0].mismatches[0];
+  EXPECT_EQ(mismatch.got, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(mismatch.expected, 2.0);
+  EXPECT_EQ(mismatch.tolerance, 1e-12);
+  EXPECT_EQ(mismatch.row, 0);
+  EXPECT_EQ(mismatch.rows, 3);
+  EXPECT_EQ(mismatch.call, "twice(Vec3(1, 2, 3))");
+  EXPECT_TRUE(report.failures[0].messages.empty());
+}
+
+TEST(ShowFailure, LeavesTheSourceOutOnlyUnderItsCall) {
+  FailedTest failure;
+  Mismatch mismatch;
+  mismatch.expression = "twice(x)";
+  mismatch.got = 3.0;
+  mismatch.expected = 2.0;
+  mismatch.tolerance = 0.5;
+  failure.mismatches = {mismatch};
+  failure.call = "twice(1)";
+  EXPECT_EQ(showFailure(failure), "    twice(1);\n    twice(x): got 3, expected 2 (difference 1, tolerance 0.5)\n");
+  failure.mismatches[0].ofCall = true;
+  EXPECT_EQ(showFailure(failure), "    twice(1);\n    got 3, expected 2 (difference 1, tolerance 0.5)\n");
+  failure.call = "";
+  EXPECT_EQ(showFailure(failure), "    twice(x): got 3, expected 2 (difference 1, tolerance 0.5)\n");
+}
+
+TEST(ShowFailure, ShowsTwoLinesAtMost) {
+  FailedTest failure;
+  failure.mismatches.resize(1);
+  failure.messages = {"one", "two"};
+  EXPECT_EQ(showFailure(failure), "    got 0, expected 0 (difference 0, tolerance 0)\n    one\n");
+  failure.mismatches.resize(3);
+  const std::string text = showFailure(failure);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
 }
 
 TEST_F(Check, AnErrorOfTheCompilerIsCut) {

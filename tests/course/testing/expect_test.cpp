@@ -78,6 +78,58 @@ TEST(ExpectMacros, FailTheTest) {
   EXPECT_VECTOR_NEAR(Vec3(1, 2, 3) + Vec3::Ones(), Vec3(2, 3, 4), roundOff(1.0));
 }
 
+TEST(ExpectLabel, StandsInPlaceOfTheSource) {
+  MUELLE_LABEL("height at t = 0.35 s", "m");
+  EXPECT_EQ(numberMessage(1.5, 1.0, 1e-3),
+            "height at t = 0.35 s: got 1.5 m, expected 1 m (difference 0.5, tolerance 0.001)");
+  {
+    MUELLE_LABEL("velocity");
+    EXPECT_EQ(vectorMessage(Vec3(1, 2, 3), Vec3(1, 2, 4), 1e-3),
+              "velocity, component 2: got 3, expected 4 (difference -1, tolerance 0.001)");
+  }
+  EXPECT_EQ(numberMessage(nan, 1.0, 1e-3), "height at t = 0.35 s: got nan, which is not a finite number; expected 1 m");
+}
+
+TEST(ExpectLabel, EndsWithItsScope) {
+  { MUELLE_LABEL("height", "m"); }
+  EXPECT_EQ(numberMessage(1.5, 1.0, 1e-3), "f(x): got 1.5, expected 1 (difference 0.5, tolerance 0.001)");
+}
+
+TEST(ExpectMismatch, KeepsEveryNumberOfAMatrix) {
+  MatX actual = MatX::Zero(2, 3);
+  actual(1, 2) = -0.1;
+  const auto result = matrixNear("submission::f(submission::g(x))", "", "", actual, MatX::Zero(2, 3), 0.05);
+  const std::optional<Mismatch> taken = takeMismatch(std::string(result.message()) + "\nstreamed words");
+  ASSERT_TRUE(taken.has_value());
+  EXPECT_EQ(taken->expression, "f(g(x))");
+  EXPECT_TRUE(taken->ofCall);
+  EXPECT_EQ(taken->row, 1);
+  EXPECT_EQ(taken->col, 2);
+  EXPECT_EQ(taken->rows, 2);
+  EXPECT_EQ(taken->cols, 3);
+  EXPECT_EQ(taken->got, -0.1);
+  EXPECT_EQ(taken->expected, 0.0);
+  EXPECT_EQ(taken->tolerance, 0.05);
+  EXPECT_FALSE(takeMismatch(result.message())) << "taken twice";
+}
+
+TEST(ExpectMismatch, KeepsBothSizes) {
+  const auto result = matrixNear("F", "", "", VecX::Zero(2), VecX::Zero(3), 1.0);
+  const std::optional<Mismatch> taken = takeMismatch(result.message());
+  ASSERT_TRUE(taken.has_value());
+  EXPECT_TRUE(taken->isSize());
+  EXPECT_EQ(taken->gotRows, 2);
+  EXPECT_EQ(taken->rows, 3);
+}
+
+TEST(ExpectMismatch, IsNotTakenForAnotherFailure) {
+  EXPECT_FALSE(numberNear("f(x)", "", "", 1.0, 2.0, 0.1));
+  EXPECT_FALSE(takeMismatch("Failed"));
+  EXPECT_FALSE(numberNear("f(x)", "", "", 1.0, 2.0, 0.1));
+  EXPECT_TRUE(numberNear("f(x)", "", "", 2.0, 2.0, 0.1));
+  EXPECT_FALSE(takeMismatch(numberMessage(1.0, 2.0, 0.1).substr(1)));
+}
+
 TEST(ExpectMacros, RecordTheProperty) {
   MUELLE_PROPERTY("momentum is conserved");
   const auto* result = ::testing::UnitTest::GetInstance()->current_test_info()->result();

@@ -75,7 +75,52 @@ TEST(Feedback, OfAFailedBuildIsOneLine) {
 }
 
 TEST(Feedback, SaysThatACriterionHasNoRecord) {
-  EXPECT_EQ(hookeFeedback(exerciseWithoutVerdicts()), Lines{"not run: there is no record of this criterion"});
+  EXPECT_EQ(hookeFeedback(exerciseWithoutVerdicts()),
+            Lines{"no record of this criterion: the grader failed, not you; run the same command again"});
+}
+
+TEST(Feedback, SaysWhenTheMachineEndedTheRun) {
+  Verdict v = verdict("HookeForce", 1, 1);
+  v.outcome = Outcome::Killed;
+  EXPECT_EQ(hookeFeedback(with(exerciseWithoutVerdicts(), v)),
+            Lines{"the grader failed, not you; no score, it will be run again: the run was killed from outside"});
+}
+
+TEST(Feedback, SaysWhatWasNeverWrittenBeforeAnyMistake) {
+  for (const FeedbackLevel level : {FeedbackLevel::Values, FeedbackLevel::Property, FeedbackLevel::Criterion}) {
+    GradedExercise exercise = failing(level, true);
+    exercise.verdicts.at("HookeForce").outcome = Outcome::NeverWritten;
+    EXPECT_TRUE(hookeFeedback(exercise).front().starts_with("it returned memory to which nothing was written"));
+  }
+}
+
+TEST(Feedback, ShowsEveryCallOnce) {
+  GradedExercise exercise = failing(FeedbackLevel::Values, true);
+  auto& mismatches = exercise.verdicts.at("HookeForce").tests[1].mismatches;
+  Mismatch other = mismatches.front();
+  other.call = "springForce(7, 8, 9, 1)";
+  other.label = "force on a";
+  other.unit = "N";
+  mismatches = {mismatches.front(), mismatches.front(), other};
+  EXPECT_EQ(hookeFeedback(exercise),
+            (Lines{says, mend, property, call, values, values, "springForce(7, 8, 9, 1)",
+                   "  force on a: got -2.5 N, expected 2.5 N (difference -5, tolerance 1e-12)"}));
+}
+
+TEST(Feedback, ShowsTheFirstFewFailures) {
+  GradedExercise exercise = failing(FeedbackLevel::Values, true);
+  auto& mismatches = exercise.verdicts.at("HookeForce").tests[1].mismatches;
+  mismatches.resize(6, mismatches.front());
+  EXPECT_EQ(hookeFeedback(exercise),
+            (Lines{says, mend, property, call, values, values, values, values, "  ... and 2 more"}));
+}
+
+TEST(Feedback, EndsWithHowTheFileWasTaken) {
+  GradedExercise exercise = failing(FeedbackLevel::Property, false);
+  exercise.note = "taken from spring_1d (1).cpp";
+  EXPECT_EQ(hookeFeedback(exercise), (Lines{property, hint, "note: taken from spring_1d (1).cpp"}));
+  exercise.build = {BuildOutcome::Status::Missing, "", ""};
+  EXPECT_EQ(hookeFeedback(exercise), (Lines{"spring_1d.cpp was not handed in", "note: taken from spring_1d (1).cpp"}));
 }
 
 TEST(Feedback, TellsTheGradersFaultApart) {

@@ -3,6 +3,7 @@
 #include "well_formed.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 #include <set>
 
 namespace muelle::grader {
@@ -41,6 +42,38 @@ TEST(HtmlPage, PutsTheMistakeBeforeThePropertyBeforeTheValues) {
   EXPECT_NE(got, std::string::npos);
 }
 
+TEST(HtmlPage, ShowsGotAndExpectedFromTheNumbersWhateverTheNamesSay) {
+  GradedSubmission graded = sampleSubmission();
+  Mismatch& m = graded.exercises[1].verdicts.at("HookeForce").tests[1].mismatches[0];
+  m.label = "f: got 7, expected 8 (x";
+  m.unit = "N";
+  std::string page = body(graded);
+  EXPECT_TRUE(has(page,
+                  "<p class=\"what\">f: got 7, expected 8 (x</p>\n<dl><dt>got</dt><dd class=\"got\">-2.5 N</dd>"
+                  "<dt>expected</dt><dd><span class=\"wanted\">2.5 N</span><span class=\"rest\"> (difference -5, "
+                  "tolerance 1e-12)</span></dd></dl>"));
+  m.label = "";
+  m.got = std::numeric_limits<double>::quiet_NaN();
+  page = body(graded);
+  EXPECT_TRUE(has(page, "<dd class=\"got\">nan, which is not a finite number</dd>"));
+  m.gotRows = 3;
+  page = body(graded);
+  EXPECT_TRUE(has(page, "<dd class=\"got\">3 components</dd>"));
+}
+
+TEST(HtmlPage, SaysWhatWasNeverWrittenBeforeTheMistake) {
+  GradedSubmission graded = sampleSubmission();
+  graded.exercises[1].verdicts.at("HookeForce").outcome = Outcome::NeverWritten;
+  const std::string page = body(graded);
+  EXPECT_LT(page.find("returned memory to which nothing was written"), page.find("right size and the wrong sign"));
+}
+
+TEST(HtmlPage, ShowsHowTheFileWasTaken) {
+  GradedSubmission graded = sampleSubmission();
+  graded.exercises[0].note = "taken from <b>.cpp";
+  EXPECT_TRUE(has(body(graded), "taken from &lt;b&gt;.cpp"));
+}
+
 TEST(HtmlPage, HasTheCurvesAsImages) {
   const std::string page = body(sampleSubmission());
   EXPECT_EQ(count(page, " src=\"data:image/svg+xml;base64,"), 3u);
@@ -66,6 +99,8 @@ TEST(HtmlPage, SaysWhenTheGraderFailed) {
   const std::string page = body(graded);
   EXPECT_TRUE(has(page, "class=\"warning\""));
   EXPECT_TRUE(has(page, "<b>no score</b> / 4"));
+  EXPECT_TRUE(has(page, "<b>no score</b> of 35"));
+  EXPECT_TRUE(has(htmlPage(graded), "<title>no score / 35"));
 }
 
 TEST(HtmlPage, TextOfASubmissionIsOnlyText) {

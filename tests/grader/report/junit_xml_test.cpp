@@ -18,15 +18,28 @@ TEST(JunitXml, CountsEveryCriterion) {
   EXPECT_TRUE(has(xml, "tests=\"10\" failures=\"8\" errors=\"0\""));
   EXPECT_TRUE(
       has(xml, "<testsuite name=\"spring_1d\" tests=\"2\" failures=\"0\" errors=\"0\" skipped=\"0\" time=\"0.500\""));
-  EXPECT_TRUE(has(xml, "<testcase classname=\"spring_1d\" name=\"HookeForce\" time=\"0.250\">\n    </testcase>"));
+  EXPECT_TRUE(has(xml, "<testcase classname=\"spring_1d\" name=\"HookeForce\" time=\"0.250\" />"));
 }
 
-TEST(JunitXml, ACriterionThatDidNotRunIsAFailure) {
+TEST(JunitXml, AMissingFileIsAFailureAndAMissingRecordAnError) {
   GradedSubmission graded;
   graded.exercises = {exerciseWithoutVerdicts()};
-  const std::string xml = junitXml(graded);
+  std::string xml = junitXml(graded);
+  EXPECT_TRUE(has(xml, "failures=\"0\" errors=\"2\" skipped=\"0\""));
+  EXPECT_TRUE(has(xml,
+                  "<error message=\"no record of this criterion: the grader failed, not you; run the same command "
+                  "again\" type=\"grader's fault\">"));
+  graded.exercises[0].build = {BuildOutcome::Status::Missing, "", ""};
+  xml = junitXml(graded);
   EXPECT_TRUE(has(xml, "failures=\"2\" errors=\"0\" skipped=\"0\""));
-  EXPECT_TRUE(has(xml, "<failure message=\"not run: there is no record of this criterion\" type=\"not run\">"));
+  EXPECT_TRUE(has(xml, "<failure message=\"spring_1d.cpp was not handed in\" type=\"not run\">"));
+}
+
+TEST(JunitXml, ShowsHowTheFileWasTaken) {
+  GradedSubmission graded = sampleSubmission();
+  EXPECT_FALSE(has(junitXml(graded), "<properties>"));
+  graded.exercises[0].note = "taken from \"spring_1d (1).cpp\"";
+  EXPECT_TRUE(has(junitXml(graded), "<property name=\"note\" value=\"taken from &quot;spring_1d (1).cpp&quot;\" />"));
 }
 
 TEST(JunitXml, APartialCriterionIsAFailure) {
@@ -44,6 +57,12 @@ TEST(JunitXml, AFaultOfTheGraderIsAnError) {
   const std::string xml = junitXml(graded);
   EXPECT_TRUE(has(xml, "failures=\"0\" errors=\"1\""));
   EXPECT_TRUE(has(xml, "<error message=\"the grader failed, not you"));
+}
+
+TEST(JunitXml, KeepsAtMostEightKibibytesOfAText) {
+  const std::string xml = junitXml(hostileSubmission(std::string(1'000'000, 'x')));
+  EXPECT_FALSE(has(xml, std::string(8193, 'x')));
+  EXPECT_LT(xml.size(), 100'000U);
 }
 
 TEST(JunitXml, IsWellFormedWithAnyTextInside) {

@@ -2,6 +2,7 @@
 #include "sample.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace muelle::grader {
@@ -46,6 +47,48 @@ TEST(ResultsJson, AFaultOfTheGraderIsNoScore) {
   EXPECT_NE(json["tests"][0]["output"].get<std::string>().find("disk full"), std::string::npos);
   EXPECT_EQ(json["tests"][1]["score"], 3.0);
   EXPECT_NE(json["output"].get<std::string>().find("not your fault"), std::string::npos);
+}
+
+TEST(ResultsJson, AMissingRecordIsNoScore) {
+  GradedSubmission graded = sampleSubmission();
+  graded.exercises[0].verdicts.erase("HookeForce");
+  const Json json = Json::parse(resultsJson(graded));
+  EXPECT_FALSE(json.contains("score"));
+  EXPECT_FALSE(json["tests"][0].contains("score"));
+  EXPECT_EQ(json["tests"][0]["output"],
+            "no record of this criterion: the grader failed, not you; run the same command again");
+  EXPECT_EQ(json["tests"][1]["score"], 3.0);
+  EXPECT_TRUE(json["output"].get<std::string>().starts_with("The grader failed"));
+}
+
+TEST(ResultsJson, SaysInEveryCriterionHowItsFileWasTaken) {
+  GradedSubmission graded = sampleSubmission();
+  graded.exercises[0].note = "taken from spring_1d (1).cpp";
+  const Json json = Json::parse(resultsJson(graded));
+  EXPECT_EQ(json["tests"][0]["output"], "note: taken from spring_1d (1).cpp");
+  EXPECT_EQ(json["tests"][1]["output"], "note: taken from spring_1d (1).cpp");
+}
+
+/// The longest text anywhere in the document.
+std::size_t longest(const Json& json) {
+  if (json.is_string()) return json.get<std::string>().size();
+  std::size_t most = 0;
+  for (const Json& part : json) most = std::max(most, longest(part));
+  return most;
+}
+
+TEST(ResultsJson, KeepsAtMostEightKibibytesAField) {
+  for (const char* piece : {"x", "é", "two\nlines\n", "\x1b"}) {
+    std::string text;
+    while (text.size() < 200'000) text += piece;
+    EXPECT_LE(longest(Json::parse(resultsJson(hostileSubmission(text)))), 8192U) << piece;
+  }
+}
+
+TEST(ResultsJson, LongWordsOfOneCompilerLeaveRoomForTheNext) {
+  GradedSubmission graded = sampleSubmission();
+  graded.exercises[3].build = {BuildOutcome::Status::CompileError, "it does not compile", std::string(60'000, 'x')};
+  EXPECT_NE(resultsJson(graded).find("'normal' was not declared"), std::string::npos);
 }
 
 TEST(ResultsJson, ShowsTheCompilersWords) {

@@ -30,19 +30,35 @@ GradedExercise exerciseWithoutVerdicts() {
   return exercise;
 }
 
+namespace {
+
+/// The force is off by its sign.
+Mismatch forceOff(const std::string& call) {
+  Mismatch mismatch;
+  mismatch.expression = "springForce(xa, xb, k, L0)";
+  mismatch.ofCall = true;
+  mismatch.call = call;
+  mismatch.got = -2.5;
+  mismatch.expected = 2.5;
+  mismatch.tolerance = 1e-12;
+  return mismatch;
+}
+
+}  // namespace
+
 Verdict verdict(const std::string& suite, int passed, int failed) {
   Verdict v;
   v.topic = "spring_1d";
   v.suite = suite;
   v.seconds = 0.25;
+  v.outcome = failed == 0 ? Outcome::Passed : Outcome::Wrong;
   for (int i = 0; i < passed; ++i) v.tests.push_back({fmt::format("Holds{}", i), "", true, {}, ""});
   for (int i = 0; i < failed; ++i) {
-    v.tests.push_back(
-        {fmt::format("Fails{}", i),
-         fmt::format("The force obeys law number {}.", i),
-         false,
-         {"submission::springForce(xa, xb, k, L0): got -2.5, expected 2.5 (difference -5, tolerance 1e-12)"},
-         fmt::format("springForce({}.5, 3.25, 100, 1)", i)});
+    v.tests.push_back({fmt::format("Fails{}", i),
+                       fmt::format("The force obeys law number {}.", i),
+                       false,
+                       {forceOff(fmt::format("springForce({}.5, 3.25, 100, 1)", i))},
+                       fmt::format("springForce({}.5, 3.25, 100, 1)", i)});
   }
   return v;
 }
@@ -82,6 +98,7 @@ GradedSubmission sampleSubmission() {
   mistaken.output = "L = 2.75\nL = 3.1\n";
   Verdict crashed = verdict("HookeForce", 1, 0);
   crashed.fault = "segmentation fault in springForce";
+  crashed.outcome = Outcome::Crash;
   crashed.tests.push_back(
       {"Fails", "A spring of length zero exerts no force.", false, {}, "springForce(1, 1, 100, 1)"});
 
@@ -119,7 +136,10 @@ GradedSubmission hostileSubmission(const std::string& text) {
   v.fault = text;
   v.output = text;
   v.misconceptions = {{text, text}};
-  v.tests[0].details = {text, "value: got " + text + ", expected " + text + " (" + text};
+  Mismatch said, compared;
+  said.says = text;
+  compared.label = compared.expression = compared.unit = compared.call = text;
+  v.tests[0].mismatches = {said, compared};
   v.tests[0].call = text;
   v.tests[0].property = text;
   Verdict ours = verdict("Acceleration", 1, 0);
@@ -127,8 +147,10 @@ GradedSubmission hostileSubmission(const std::string& text) {
   GradedExercise ran = with(with(exerciseWithoutVerdicts(), v), ours);
   ran.figures = {text};
   ran.figuresNote = text;
+  ran.note = text;
   GradedExercise unbuilt = exerciseWithoutVerdicts();
   unbuilt.build = {BuildOutcome::Status::CompileError, text, text};
+  unbuilt.note = text;
   GradedSubmission graded;
   graded.name = text;
   graded.intakeNotes = {text};

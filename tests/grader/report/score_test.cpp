@@ -15,14 +15,61 @@ TEST(Score, IsTheManifestsPointsWhenEveryTestPassed) {
   EXPECT_EQ(hooke(with(exerciseWithoutVerdicts(), verdict("HookeForce", 3, 0))), 4.0);
 }
 
-TEST(Score, IsNothingWithoutARecord) {
-  EXPECT_EQ(hooke(exerciseWithoutVerdicts()), 0.0);
-  EXPECT_EQ(acceleration(exerciseWithoutVerdicts()), 0.0);
+TEST(Score, IsNoneWithoutARecordInABuiltExercise) {
+  GradedSubmission graded;
+  graded.exercises = {with(exerciseWithoutVerdicts(), verdict("HookeForce", 3, 0))};
+  EXPECT_EQ(acceleration(graded.exercises[0]), std::nullopt);
+  EXPECT_EQ(hooke(graded.exercises[0]), 4.0);
+  EXPECT_TRUE(hasGraderFault(graded));
+  EXPECT_TRUE(hasGraderFault(graded.exercises[0]));
 }
 
-TEST(Score, IsNothingForARecordWithoutTests) {
-  EXPECT_EQ(hooke(with(exerciseWithoutVerdicts(), verdict("HookeForce", 0, 0))), 0.0);
-  EXPECT_EQ(acceleration(with(exerciseWithoutVerdicts(), verdict("Acceleration", 0, 0))), 0.0);
+TEST(Score, IsNoneForARecordWithoutTests) {
+  EXPECT_EQ(hooke(with(exerciseWithoutVerdicts(), verdict("HookeForce", 0, 0))), std::nullopt);
+  EXPECT_EQ(acceleration(with(exerciseWithoutVerdicts(), verdict("Acceleration", 0, 0))), std::nullopt);
+}
+
+TEST(Score, IsNothingWhenNoTestCouldRunForTheStudentsFault) {
+  Verdict v = verdict("HookeForce", 0, 0);
+  v.fault = "the code that runs when your file is loaded does not end";
+  v.outcome = Outcome::Cpu;
+  EXPECT_EQ(hooke(with(exerciseWithoutVerdicts(), v)), 0.0);
+}
+
+TEST(Score, IsNoneForARunThatTheMachineEnded) {
+  for (const Outcome outcome : {Outcome::Killed, Outcome::Wall}) {
+    for (const char* fault : {"", "springForce was killed"}) {
+      for (const int failed : {0, 1}) {
+        Verdict v = verdict("HookeForce", 3, failed);
+        v.outcome = outcome;
+        v.fault = fault;
+        EXPECT_EQ(hooke(with(exerciseWithoutVerdicts(), v)), std::nullopt) << nameOf(outcome) << fault << failed;
+      }
+    }
+  }
+}
+
+TEST(Score, IsNothingForWhatTheStudentsCodeDid) {
+  for (const Outcome outcome : {Outcome::Forbidden, Outcome::Crash, Outcome::Cpu, Outcome::NeverWritten}) {
+    for (const char* suite : {"HookeForce", "Acceleration"}) {
+      Verdict v = verdict(suite, 3, 0);
+      v.outcome = outcome;
+      EXPECT_EQ(score(with(exerciseWithoutVerdicts(), v).manifest.criteria[suite[0] == 'H' ? 0 : 1],
+                      with(exerciseWithoutVerdicts(), v)),
+                0.0)
+          << nameOf(outcome);
+    }
+  }
+}
+
+TEST(Score, ARecordThatContradictsItselfIsNoEvidence) {
+  Verdict v = verdict("Acceleration", 3, 0);
+  v.outcome = Outcome::Wrong;
+  EXPECT_EQ(acceleration(with(exerciseWithoutVerdicts(), v)), std::nullopt);
+  v = verdict("Acceleration", 2, 1);
+  v.outcome = Outcome::Passed;
+  EXPECT_FALSE(v.passed());
+  EXPECT_EQ(acceleration(with(exerciseWithoutVerdicts(), v)), std::nullopt);
 }
 
 TEST(Score, IsAllOrNothingUnlessPartial) {
@@ -55,10 +102,10 @@ TEST(Score, AFaultOfTheGraderIsNoScore) {
 TEST(Score, ARecordCountsOnlyForItsOwnCriterion) {
   GradedExercise exercise = exerciseWithoutVerdicts();
   exercise.verdicts["HookeForce"] = verdict("Acceleration", 5, 0);
-  EXPECT_EQ(hooke(exercise), 0.0);
+  EXPECT_EQ(hooke(exercise), std::nullopt);
   exercise.verdicts["HookeForce"] = verdict("HookeForce", 5, 0);
   exercise.verdicts["HookeForce"].topic = "triangle";
-  EXPECT_EQ(hooke(exercise), 0.0);
+  EXPECT_EQ(hooke(exercise), std::nullopt);
 }
 
 TEST(Score, IsNothingWhenTheFileWasNotBuilt) {
@@ -82,7 +129,9 @@ TEST(Score, SumsOverCriteriaAndExercises) {
 }
 
 TEST(Score, AnUnknownSuiteEarnsNothing) {
-  EXPECT_EQ(score(with(exerciseWithoutVerdicts(), verdict("MyOwnCriterion", 9, 0))), 0.0);
+  GradedExercise exercise = with(exerciseWithoutVerdicts(), verdict("MyOwnCriterion", 9, 0));
+  EXPECT_EQ(score(exercise), 0.0);
+  EXPECT_TRUE(hasGraderFault(exercise)) << "its own criteria have no record";
 }
 
 }  // namespace

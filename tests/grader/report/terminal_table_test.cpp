@@ -51,6 +51,37 @@ TEST(TerminalTable, TellsTheGradersFault) {
   EXPECT_NE(text.find("the total is no score; run it again"), std::string::npos);
 }
 
+TEST(TerminalTable, NoScoreOfTheWholeWithoutEveryRecord) {
+  GradedSubmission graded = sampleSubmission();
+  graded.exercises[0].verdicts.erase("HookeForce");
+  const std::string text = terminalTable(graded, false, 110);
+  EXPECT_NE(text.find("no score / 35"), std::string::npos);
+  EXPECT_NE(text.find("no score / 7"), std::string::npos);
+  EXPECT_NE(text.find("no record of this criterion: the grader failed, not you; run the same command again"),
+            std::string::npos)
+      << text;
+}
+
+TEST(TerminalTable, ShowsHowTheFileWasTaken) {
+  GradedSubmission graded = sampleSubmission();
+  for (GradedExercise& exercise : graded.exercises) exercise.note = "taken from " + exercise.manifest.topic;
+  const std::string text = terminalTable(graded, false, 110);
+  EXPECT_NE(text.find("  note: taken from spring_1d\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  note: taken from damping\n"), std::string::npos) << "of a file that was not handed in";
+}
+
+TEST(TerminalTable, IsNotFilledByAnyMessage) {
+  const std::string symbol(1'000'000, 'x');
+  std::string lines;
+  for (int i = 0; i < 10'000; ++i) lines += "y\n";
+  for (const std::string& text : {symbol, lines, symbol + '\n' + symbol}) {
+    GradedSubmission graded = hostileSubmission(text);
+    graded.intakeNotes.assign(400, text);
+    EXPECT_LT(linesOf(terminalTable(graded, false, 80)).size(), 200U);
+    EXPECT_LT(linesOf(terminalTable(hostileSubmission(text), false, 80)).size(), 80U);
+  }
+}
+
 TEST(TerminalTable, ShowsAnyTextAsTextAndInsideItsWidth) {
   for (const std::string& text : hostileTexts()) {
     for (const std::string& line : linesOf(terminalTable(hostileSubmission(text), false, 80))) {

@@ -6,6 +6,7 @@
 #include "harness/simulate.h"
 #include "harness/symplectic_euler.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
@@ -416,8 +417,9 @@ TEST(NodeMotion, AFallEndsAtASteadySpeed) {
   const double finalSpeed = m * scene.g / d, tolerance = 1.1 * finalSpeed * rate * scene.h / (2.0 * std::numbers::e);
   for (const std::size_t i : {trajectory.t.size() / 8, trajectory.t.size() / 4, trajectory.t.size() - 1}) {
     const double speed = finalSpeed * (1.0 - std::exp(-rate * trajectory.t[i]));
-    EXPECT_NUMBER_NEAR(trajectory.v[i][2], -speed, tolerance) << "t = " << trajectory.t[i] << " s";
-    EXPECT_NUMBER_NEAR(trajectory.v[i][5], -speed, tolerance) << "t = " << trajectory.t[i] << " s";
+    MUELLE_LABEL(fmt::format("velocity along z at t = {:.4g} s", trajectory.t[i]), "m/s");
+    EXPECT_NUMBER_NEAR(trajectory.v[i][2], -speed, tolerance);
+    EXPECT_NUMBER_NEAR(trajectory.v[i][5], -speed, tolerance);
   }
   EXPECT_NUMBER_NEAR(trajectory.last().v[2], -finalSpeed, finalSpeed * std::exp(-rate * scene.duration));
 }
