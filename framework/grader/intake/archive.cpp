@@ -1,6 +1,8 @@
 #include "grader/intake/archive.h"
 
 #include "base/text/printable.h"
+#include "grader/intake/file_names.h"
+#include "grader/intake/gzip_checksum.h"
 #include "grader/intake/read_file.h"
 
 #include <archive.h>
@@ -18,6 +20,7 @@ namespace muelle::grader {
 namespace {
 
 constexpr std::size_t maximalDepth = 64;
+constexpr int maximalOpen = 2;  ///< an archive in an archive
 
 /// libarchive converts names to the locale's character set; without this a folder named "José" has none in the C
 /// locale.
@@ -51,33 +54,46 @@ int compressionOf(std::string_view bytes) {
   return ARCHIVE_FILTER_NONE;
 }
 
-class Reader {
+/// One archive while it is read.
+class OpenArchive {
  public:
-  Reader(const std::string& bytes, const std::string& name, Collector& collector)
-      : name_(name), collector_(collector), archive_(::archive_read_new(), ::archive_read_free) {
+  OpenArchive(const std::string& bytes, const std::string& name, const RelativePath& folder, ArchiveReader& reader)
+      : bytes_(bytes),
+        name_(name),
+        folder_(folder),
+        reader_(reader),
+        collector_(reader.collector()),
+        archive_(::archive_read_new(), ::archive_read_free) {
     if (!archive_) throw std::bad_alloc();
     chooseFormat(compressionOf(bytes));
     if (::archive_read_open_memory(archive_.get(), bytes.data(), bytes.size()) != ARCHIVE_OK) fail();
   }
 
   void run() {
-    std::size_t entries = 0;
+    bool isEmpty = true;
     for (;;) {
       archive_entry* entry = nullptr;
       const int status = ::archive_read_next_header(archive_.get(), &entry);
       if (status == ARCHIVE_EOF) break;
-      if (status != ARCHIVE_OK && status != ARCHIVE_WARN) fail();
-      if (++entries > collector_.limits().entries) {
-        collector_.note(fmt::format("only the first {} entries were looked at: hand in the exercises alone",
-                                    collector_.limits().entries));
-        return;
-      }
+      if (status != ARCHIVE_OK && (status != ARCHIVE_WARN || isInconsistent())) fail();
+      if (!reader_.countEntry()) return;
+      isEmpty = false;
       visit(entry);
     }
-    if (entries == 0) collector_.note("the archive is empty");
+    if (isEmpty) collector_.note(fmt::format("the archive {} is empty", name_));
+    if (compressionOf(bytes_) != ARCHIVE_FILTER_GZIP) return;
+    // More than the limit of what is in the files: a tar archive has headers too.
+    const std::string fault = gzipFault(bytes_, 2 * collector_.limits().archiveBytes);
+    if (!fault.empty()) fail(fault);
   }
 
  private:
+  /// A warning about a header that says two things; the others (a name in an unknown character set) do no harm.
+  bool isInconsistent() const {
+    const char* reason = ::archive_error_string(archive_.get());
+    return reason != nullptr && std::string_view(reason).starts_with("Inconsistent");
+  }
+
   /// Only what is needed, by name: other formats of libarchive read further files (mtree) or start programs (lrzip).
   /// One compression at most, since a bomb can be nested.
   void chooseFormat(int compression) {
@@ -92,9 +108,12 @@ class Reader {
 
   [[noreturn]] void fail() const {
     const char* reason = ::archive_error_string(archive_.get());
-    throw std::runtime_error(
-        fmt::format("cannot read the archive {}: {}; hand in a folder, or a zip, tar or 7z archive made again", name_,
-                    reason == nullptr ? "it is broken" : cut(printableLine(reason), 200)));
+    fail(reason == nullptr ? "it is broken" : cut(printableLine(reason), 200));
+  }
+
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw std::runtime_error(fmt::format(
+        "cannot read the archive {}: {}; hand in a folder, or a zip, tar or 7z archive made again", name_, reason));
   }
 
   void visit(archive_entry* entry) {
@@ -102,7 +121,7 @@ class Reader {
       throw std::runtime_error(fmt::format("the archive {} is encrypted: make it again without a password", name_));
     const char* raw = ::archive_entry_pathname(entry);
     if (raw == nullptr) raw = ::archive_entry_pathname_utf8(entry);
-    RelativePath path;
+    RelativePath path = folder_;
     const std::string trouble = raw == nullptr ? "its name cannot be read" : split(raw, path);
     if (!trouble.empty()) {
       collector_.note(
@@ -113,9 +132,11 @@ class Reader {
   }
 
   static std::string split(std::string_view name, RelativePath& path) {
-    if (name.starts_with('/')) return "an absolute path";
+    // Some programs for Windows write "spring_1d\\spring_1d.cpp".
+    const char separator = name.find('/') == std::string_view::npos ? '\\' : '/';
+    if (name.starts_with(separator)) return "an absolute path";
     while (!name.empty()) {
-      const std::size_t slash = std::min(name.find('/'), name.size());
+      const std::size_t slash = std::min(name.find(separator), name.size());
       const std::string_view component = name.substr(0, slash);
       name.remove_prefix(std::min(slash + 1, name.size()));
       if (component == "..") return "it leads out of the submission";
@@ -127,18 +148,26 @@ class Reader {
 
   void offer(archive_entry* entry, const RelativePath& path) {
     const auto type = ::archive_entry_filetype(entry);
-    if (path.empty() || type == AE_IFDIR) return skip();
+    if (path.size() == folder_.size() || type == AE_IFDIR) return skip();
     if (::archive_entry_hardlink(entry) != nullptr) return refuse(path, "is a hard link");
     if (type == AE_IFLNK || ::archive_entry_symlink(entry) != nullptr) return refuse(path, "is a symbolic link");
     if (type == AE_IFIFO) return refuse(path, "is a named pipe");
     if (type == AE_IFCHR || type == AE_IFBLK) return refuse(path, "is a device");
     if (type != AE_IFREG) return refuse(path, "is no regular file");
+    if (isArchiveName(path.back()) && !Collector::isSkipped(path.back())) return enter(path);
     bool wanted = false;
     collector_.file(path, [&] {
       wanted = true;
       return read();
     });
     if (!wanted) skip();
+  }
+
+  /// Its bytes are among those that are counted, and cannot be more than the limit.
+  void enter(const RelativePath& path) {
+    std::string bytes;
+    unpack([&](std::string_view piece) { bytes += piece; });
+    reader_.readInside(bytes, path);
   }
 
   void refuse(const RelativePath& path, const std::string& why) {
@@ -152,11 +181,12 @@ class Reader {
     unpack([&](std::string_view piece) {
       if (text.size() <= limit) text += piece;
     });
-    if (text.size() > limit) return {"", fmt::format("is larger than {}", showBytes(limit))};
-    return {std::move(text), ""};
+    if (text.size() > limit) return Content::refused(fmt::format("is larger than {}", showBytes(limit)));
+    return {std::move(text)};
   }
 
-  /// What does not count is unpacked too, so that the limit holds for it; a plain skip would inflate without end.
+  /// What does not count is unpacked too, so that the limit holds for it (a plain skip would inflate without end) and
+  /// its checksum is compared.
   void skip() {
     unpack([](std::string_view) {});
   }
@@ -167,27 +197,67 @@ class Reader {
     for (;;) {
       const la_ssize_t got = ::archive_read_data(archive_.get(), buffer.data(), buffer.size());
       if (got == 0) return;
-      if (got < 0 && got != ARCHIVE_WARN) fail();
-      const auto size = got > 0 ? static_cast<std::size_t>(got) : 0;
-      unpacked_ += size;
-      if (unpacked_ > collector_.limits().archiveBytes)
-        throw std::runtime_error(fmt::format("the archive {} unpacks to more than {}: hand in the sources alone", name_,
-                                             showBytes(collector_.limits().archiveBytes)));
+      if (got < 0) fail();  // a warning too: of a wrong checksum or size
+      const auto size = static_cast<std::size_t>(got);
+      reader_.countBytes(size, name_);
       use(std::string_view(buffer.data(), size));
     }
   }
 
+  const std::string& bytes_;
   const std::string& name_;
+  const RelativePath& folder_;
+  ArchiveReader& reader_;
   Collector& collector_;
   std::unique_ptr<archive, int (*)(archive*)> archive_;
-  std::size_t unpacked_ = 0;
 };
 
 }  // namespace
 
-void readArchive(const std::string& bytes, const std::string& name, Collector& collector) {
+void ArchiveReader::open(const std::string& bytes, const std::string& name, const RelativePath& folder) {
   const Utf8Names locale;
-  Reader(bytes, name, collector).run();
+  OpenArchive(bytes, name, folder, *this).run();
+}
+
+void ArchiveReader::read(const std::string& bytes, const std::string& name) {
+  ++opened_;
+  open(bytes, name, {});
+  --opened_;
+}
+
+void ArchiveReader::readInside(const std::string& bytes, const RelativePath& path) {
+  if (opened_ == maximalOpen)
+    return collector_.note(
+        fmt::format("ignored {}: an archive in an archive is opened, a deeper one is not", show(path)));
+  ++opened_;
+  try {
+    open(bytes, show(path), path);
+  } catch (const std::runtime_error& error) {
+    collector_.brokenArchive(error.what());
+  }
+  --opened_;
+}
+
+bool ArchiveReader::countEntry() {
+  const std::size_t limit = collector_.limits().entries;
+  if (++entries_ == limit + 1)
+    collector_.note(fmt::format("only the first {} entries were looked at: hand in the exercises alone", limit));
+  return entries_ <= limit;
+}
+
+void ArchiveReader::countBytes(std::size_t bytes, const std::string& name) {
+  const std::size_t limit = collector_.limits().archiveBytes;
+  unpacked_ += bytes;
+  if (unpacked_ > limit)
+    throw std::runtime_error(
+        fmt::format("the archive {} unpacks to more than {}: hand in the sources alone", name, showBytes(limit)));
+}
+
+bool beginsAsArchive(std::string_view bytes) {
+  constexpr std::size_t tarMark = 257;
+  const bool isTar = bytes.size() > tarMark && bytes.substr(tarMark).starts_with("ustar");
+  return isTar || compressionOf(bytes) != ARCHIVE_FILTER_NONE || bytes.starts_with("PK\x03\x04") ||
+         bytes.starts_with("PK\x05\x06") || bytes.starts_with("7z\xbc\xaf\x27\x1c");
 }
 
 }  // namespace muelle::grader

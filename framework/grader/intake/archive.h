@@ -1,15 +1,46 @@
 #pragma once
 #include "grader/intake/collector.h"
 
-#include <filesystem>
+#include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace muelle::grader {
 
-/// Reads an archive (zip, 7z, tar; tar also through one of gzip, bzip2, xz, zstd) in memory and offers its entries to
-/// the collector. `bytes` is the whole file; `name`, printable, is for the messages.
-/// Throws std::runtime_error, one line, when it is no such archive, broken, encrypted, or unpacks to more than the
-/// collector's limit.
-void readArchive(const std::string& bytes, const std::string& name, Collector& collector);
+/// Reads the archives of one submission (zip, 7z, tar; tar also through one of gzip, bzip2, xz, zstd) in memory and
+/// offers their entries to the collector. The limits of entries and of unpacked bytes hold for all of them together.
+class ArchiveReader {
+ public:
+  /// `collector` must outlive this.
+  explicit ArchiveReader(Collector& collector) : collector_(collector) {}
+
+  /// The archive that is the submission. `bytes` is the whole file; `name`, printable, is for the messages.
+  /// Throws std::runtime_error, one line, when it is no such archive, broken (checksums and sizes are compared for
+  /// every entry, wanted or not), encrypted, or unpacks to more than the limit.
+  void read(const std::string& bytes, const std::string& name);
+
+  /// An archive that lies in the submission, at `path`. At most two are open at a time, an archive in an archive; a
+  /// deeper one is ignored and said so. What read() throws is told to the collector instead.
+  void readInside(const std::string& bytes, const RelativePath& path);
+
+  /// Counts one more entry of an archive or folder; false, and said once, when that is more than the limit.
+  bool countEntry();
+
+  /// Counts bytes that were unpacked; throws std::runtime_error when that is more than the limit. `name` as in read().
+  void countBytes(std::size_t bytes, const std::string& name);
+
+  Collector& collector() { return collector_; }
+
+ private:
+  void open(const std::string& bytes, const std::string& name, const RelativePath& folder);
+
+  Collector& collector_;
+  std::size_t entries_ = 0;
+  std::size_t unpacked_ = 0;
+  int opened_ = 0;  ///< archives being read now, one in the other
+};
+
+/// True when the bytes begin as one of the archives that are read.
+bool beginsAsArchive(std::string_view bytes);
 
 }  // namespace muelle::grader

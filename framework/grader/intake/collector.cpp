@@ -1,23 +1,24 @@
 #include "grader/intake/collector.h"
 
+#include "base/text/nearest.h"
 #include "base/text/printable.h"
+#include "grader/intake/file_names.h"
+#include "grader/intake/read_file.h"
+#include "grader/intake/source_text.h"
+#include "grader/run/digest.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
-#include <cctype>
+#include <stdexcept>
 
 namespace muelle::grader {
 
 namespace {
 
 constexpr std::size_t shownNames = 4;
+constexpr std::size_t shownNearNames = 3;
 constexpr std::size_t shownNameBytes = 80;
-
-std::string lowerCase(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 /// "a, b, c, d, ..." and nothing of what is not shown.
 std::string list(const std::vector<std::string>& names) {
@@ -26,13 +27,27 @@ std::string list(const std::vector<std::string>& names) {
   return fmt::format("{}", fmt::join(shown, ", "));
 }
 
+std::string parentOf(const RelativePath& path) { return path.size() > 1 ? path[path.size() - 2] : ""; }
+
+/// Sources that every exercise hands out; nobody's answer.
+bool isHandedOutSource(const std::string& name) { return name == "demo.cpp" || name == "public_test.cpp"; }
+
+std::string hashOf(const Submission& submission) {
+  std::string hash;
+  for (const auto& [topic, files] : submission.sources) {
+    for (const auto& [name, text] : files) hash = digest({hash, topic, name, text});
+  }
+  return hash.empty() ? digest({}) : hash;
+}
+
 }  // namespace
 
 std::string show(const RelativePath& path) {
   return cut(printableLine(fmt::format("{}", fmt::join(path, "/"))), 2 * shownNameBytes);
 }
 
-Collector::Collector(const std::vector<Manifest>& course, IntakeLimits limits) : course_(course), limits_(limits) {}
+Collector::Collector(const std::vector<Manifest>& course, IntakeLimits limits, std::vector<std::string> only)
+    : course_(course), limits_(limits), only_(std::move(only)) {}
 
 bool Collector::isSkipped(const std::string& component) {
   return component.starts_with('.') || component == "__MACOSX";
@@ -44,57 +59,113 @@ bool Collector::isHidden(const RelativePath& path) {
   return hidden;
 }
 
-bool Collector::isTopic(const std::string& name) const {
-  return std::any_of(course_.begin(), course_.end(), [&](const Manifest& m) { return m.topic == name; });
+bool Collector::isAskedFor(const std::string& topic) const {
+  return only_.empty() || std::find(only_.begin(), only_.end(), topic) != only_.end();
 }
 
-std::vector<Collector::Key> Collector::wantedBy(const RelativePath& path) const {
-  const std::string& name = path.back();
-  const std::string parent = path.size() > 1 ? path[path.size() - 2] : "";
-  std::vector<Key> keys;
+/// The topic that a folder or an archive is named after; "" for none.
+std::string Collector::topicOf(const std::string& folder) const {
+  const std::string name = withoutArchiveSuffix(folder);
   for (const Manifest& manifest : course_) {
-    const bool named = std::find(manifest.files.begin(), manifest.files.end(), name) != manifest.files.end();
-    // A file in the folder of another exercise is nobody's: taking it would reward a guess.
-    if (named && (parent == manifest.topic || !isTopic(parent))) keys.emplace_back(manifest.topic, name);
+    if (name == manifest.topic) return manifest.topic;
   }
-  return keys;
+  for (const Manifest& manifest : course_) {
+    if (isNearFolderName(name, manifest.topic)) return manifest.topic;
+  }
+  return "";
+}
+
+std::vector<std::pair<Collector::Key, Collector::Rank>> Collector::wantedBy(const RelativePath& path) const {
+  const std::string& name = path.back();
+  const std::string parent = parentOf(path);
+  const std::string home = topicOf(parent);
+  std::vector<std::pair<Key, Rank>> exact;
+  std::vector<std::pair<Key, Rank>> near;
+  bool isAName = false;
+  for (const Manifest& manifest : course_) {
+    const int place = parent == manifest.topic ? 0 : 1;
+    for (const std::string& wanted : manifest.files) {
+      isAName |= name == wanted;
+      // A file in the folder of another exercise is nobody's: taking it would reward a guess.
+      if (!home.empty() && home != manifest.topic) continue;
+      const Key key{manifest.topic, wanted};
+      if (name == wanted) exact.emplace_back(key, Rank{0, place, path.size()});
+      if (isNearName(name, wanted)) near.emplace_back(key, Rank{1, place, path.size()});
+    }
+  }
+  if (isAName) return exact;
+  // A name that is near to two says nothing.
+  if (near.size() > 1) near.clear();
+  return near;
 }
 
 void Collector::file(const RelativePath& path, const std::function<Content()>& read) {
+  ++seen_;
   if (isHidden(path)) return;
   if (!wantedBy(path).empty()) return offer(path, read);
   if (isHandedOut(path)) {
     ++handedOut_;
   } else {
-    ignore(path, misnamed(path.back()));
+    if (isSourceName(path.back()) && !isHandedOutSource(path.back())) strays_.push_back(path);
+    ignore(path, "");
   }
 }
 
 void Collector::notAFile(const RelativePath& path, const std::string& why) {
+  ++seen_;
   if (isHidden(path)) return;
   if (!wantedBy(path).empty()) {
-    offer(path, [&] { return Content{"", why}; });
+    offer(path, [&] { return Content::refused(why); });
   } else {
     ignore(path, why);
   }
 }
 
+void Collector::unreadableFolder(const RelativePath& path, const std::string& why) {
+  ++seen_;
+  unreadable_.push_back({path, why});
+  note(fmt::format("{}/ {}", show(path), why));
+}
+
+void Collector::brokenArchive(const std::string& why) { broken_.push_back(why); }
+
 void Collector::note(const std::string& what) { notes_.push_back(what); }
 
 void Collector::offer(const RelativePath& path, const std::function<Content()>& read) {
-  for (const Key& key : wantedBy(path)) {
-    const bool inPlace = path.size() > 1 && path[path.size() - 2] == key.first;
-    const std::pair<int, std::size_t> rank{inPlace ? 0 : 1, path.size()};
+  for (const auto& [key, rank] : wantedBy(path)) {
+    if (!isAskedFor(key.first)) continue;
     Slot& slot = slots_[key];
-    if (!slot.places.empty() && rank > slot.rank) {
+    const bool isFirst = slot.places.empty();
+    if (!isFirst && rank > slot.rank) {
       ignore(path, "another one counts");
-    } else if (!slot.places.empty() && rank == slot.rank) {
-      slot.places.push_back(path);
+    } else if (!isFirst && rank == slot.rank) {
+      add(slot, path, slot.differ ? Content{} : read());
     } else {
       for (const RelativePath& worse : slot.places) ignore(worse, "another one counts");
-      slot = Slot{rank, {path}, read()};
+      slot = Slot{rank, {}, {}};
+      add(slot, path, read());
     }
   }
+}
+
+/// One more place of the slot's rank. Only the first one's text is kept: a submission of ten thousand copies takes no
+/// more room than one.
+void Collector::add(Slot& slot, const RelativePath& path, Content content) const {
+  SourceText source = readSource(std::move(content.bytes));
+  content.bytes = std::move(source.text);
+  if (content.refusal.empty()) content.refusal = std::move(source.refusal);
+  if (content.bytes.size() > limits_.sourceBytes)
+    content = Content::refused(fmt::format("is larger than {}", showBytes(limits_.sourceBytes)));
+  slot.places.push_back(path);
+  if (slot.places.size() == 1) {
+    slot.content = std::move(content);
+    slot.note = std::move(source.note);
+    return;
+  }
+  if (slot.differ) return;
+  slot.differ = content.bytes != slot.content.bytes || content.refusal != slot.content.refusal;
+  slot.different = slot.places.size() - 1;
+  if (slot.content.fault.empty()) slot.content.fault = content.fault;
 }
 
 void Collector::ignore(const RelativePath& path, const std::string& why) {
@@ -103,23 +174,18 @@ void Collector::ignore(const RelativePath& path, const std::string& why) {
 }
 
 bool Collector::isHandedOut(const RelativePath& path) const {
-  if (path.size() < 2 || !isTopic(path[path.size() - 2])) return false;
+  const std::string topic = topicOf(parentOf(path));
+  if (topic.empty()) return false;
   const std::string& name = path.back();
-  return name == path[path.size() - 2] + ".h" || name == "README.md" || name == "figure.svg" ||
-         name == "exercise.toml" || name == "demo.cpp" || name == "public_test.cpp";
+  return name == topic + ".h" || name == "README.md" || name == "README.es.md" || name == "figure.svg" ||
+         name == "exercise.toml" || isHandedOutSource(name);
 }
 
-std::string Collector::misnamed(const std::string& name) const {
-  for (const Manifest& manifest : course_) {
-    for (const std::string& wanted : manifest.files) {
-      if (lowerCase(name) == lowerCase(wanted)) return "should its name be " + wanted + "?";
-    }
-  }
-  return "";
-}
-
-std::vector<std::string> Collector::notes() const {
-  std::vector<std::string> lines = notes_;
+std::vector<std::string> Collector::notes(const Submission& submission) const {
+  std::vector<std::string> lines;
+  for (const auto& [topic, how] : submission.taken) lines.push_back(how);
+  lines.insert(lines.end(), notes_.begin(), notes_.end());
+  for (const std::string& why : broken_) lines.push_back("ignored the rest of an archive inside: " + why);
   for (const auto& [place, names] : ignored_) {
     const std::string folder = place.first.empty() ? "" : fmt::format(" in {}/", place.first);
     const std::string why = place.second.empty() ? "" : fmt::format(" ({})", place.second);
@@ -138,23 +204,126 @@ std::vector<std::string> Collector::notes() const {
   return lines;
 }
 
+/// The sources that may be meant by `file`, best first: what lies in the exercise's folder; what is spelled alike; else
+/// the few that there are, when nothing tells which exercise they are for.
+std::vector<std::string> Collector::near(const std::string& topic, const std::string& file) const {
+  std::vector<std::string> stems;
+  for (const Manifest& manifest : course_) {
+    for (const std::string& wanted : manifest.files) stems.push_back(plainStem(wanted));
+  }
+  std::vector<std::string> inFolder;
+  std::vector<std::string> alike;
+  std::vector<std::string> others;
+  for (const RelativePath& stray : strays_) {
+    const std::string home = topicOf(parentOf(stray));
+    const std::string guess = nearest(plainStem(stray.back()), stems);
+    if (home == topic) {
+      inFolder.push_back(show(stray));
+    } else if (guess == plainStem(file)) {
+      alike.push_back(show(stray));
+    } else if (home.empty() && guess.empty()) {
+      others.push_back(show(stray));
+    }
+  }
+  if (!inFolder.empty()) return inFolder;
+  if (!alike.empty()) return alike;
+  const bool isTheirs = others.size() <= shownNearNames && (slots_.empty() || unfound() == 1);
+  return isTheirs ? others : std::vector<std::string>{};
+}
+
+std::size_t Collector::unfound() const {
+  std::size_t count = 0;
+  for (const Manifest& manifest : course_) {
+    for (const std::string& file : manifest.files) {
+      if (isAskedFor(manifest.topic) && !slots_.contains({manifest.topic, file})) ++count;
+    }
+  }
+  return count;
+}
+
+std::string Collector::missing(const std::string& topic, const std::string& file) const {
+  if (seen_ == 0) return fmt::format("no {}: the submission is empty", file);
+  std::vector<std::string> names = near(topic, file);
+  if (names.empty()) return fmt::format("no {}", file);
+  if (names.size() == 1) return fmt::format("no {}; is '{}' meant?", file, names.front());
+  const bool isCut = names.size() > shownNearNames;
+  if (isCut) names.resize(shownNearNames);
+  return fmt::format("no {}; is one of '{}'{} meant?", file, fmt::join(names, "', '"), isCut ? ", ..." : "");
+}
+
+/// The unreadable folder in which a file may lie that would go before the one found; null when there is none.
+const Collector::UnreadableFolder* Collector::mayHide(const std::string& topic, const std::string& file) const {
+  const auto slot = slots_.find({topic, file});
+  for (const UnreadableFolder& folder : unreadable_) {
+    const std::string home = topicOf(folder.path.back());
+    if (!home.empty() && home != topic) continue;
+    const Rank best{0, 0, folder.path.size() + (home == topic ? 1 : 2)};
+    if (slot == slots_.end() || best <= slot->second.rank) return &folder;
+  }
+  return nullptr;
+}
+
+/// What a slot that has places comes to.
+void Collector::settle(const Key& key, const Slot& slot, Submission& submission) const {
+  const auto& [topic, file] = key;
+  const bool isNear = std::get<0>(slot.rank) != 0;
+  const std::string first = show(slot.places.front());
+  const std::string other = show(slot.places[slot.different]);
+  if (!slot.content.fault.empty()) {
+    submission.faults[topic] = fmt::format("{} {}", slot.differ ? other : first, slot.content.fault);
+  } else if (slot.differ && isNear) {
+    submission.refused[topic] =
+        fmt::format("no {0}, and '{1}' and '{2}' differ: hand in one, named {0}", file, first, other);
+  } else if (slot.differ) {
+    submission.refused[topic] =
+        fmt::format("{} is there {} times, at {} and {}: hand in one", file, slot.places.size(), first, other);
+  } else if (!slot.content.refusal.empty()) {
+    submission.refused[topic] = fmt::format("{} {}", first, slot.content.refusal);
+  } else {
+    submission.sources[topic][file] = slot.content.bytes;
+    std::vector<std::string> said;
+    if (isNear) said.push_back(fmt::format("is taken from '{}'", first));
+    if (slot.places.size() > 1) said.push_back(fmt::format("is there {} times, all equal", slot.places.size()));
+    if (!slot.note.empty()) said.push_back(slot.note);
+    if (said.empty()) return;
+    std::string& how = submission.taken[topic];
+    how += fmt::format("{}{} {}", how.empty() ? "" : "; ", file, fmt::join(said, "; "));
+  }
+}
+
+/// One exercise: its files, or why there are none.
+void Collector::say(const Manifest& manifest, Submission& submission) const {
+  const std::string& topic = manifest.topic;
+  for (const std::string& file : manifest.files) {
+    const auto slot = slots_.find({topic, file});
+    if (const UnreadableFolder* folder = mayHide(topic, file)) {
+      submission.faults[topic] = fmt::format("{}/, where {} may lie, {}", show(folder->path), file, folder->why);
+    } else if (slot != slots_.end()) {
+      settle(slot->first, slot->second, submission);
+    } else if (!submission.missing.contains(topic)) {
+      submission.missing[topic] = missing(topic, file);
+    }
+  }
+  // A file that is refused costs its exercise, whatever else of it was fine.
+  const bool isFault = submission.faults.contains(topic);
+  if (isFault) submission.refused.erase(topic);
+  const bool isRefused = submission.refused.contains(topic);
+  if (isFault || isRefused) {
+    submission.missing.erase(topic);
+    submission.taken.erase(topic);
+    submission.sources.erase(topic);
+  }
+}
+
 Submission Collector::finish(std::string name) const {
   Submission submission;
   submission.name = std::move(name);
-  for (const auto& [key, slot] : slots_) {
-    const auto& [topic, fileName] = key;
-    if (slot.places.size() > 1) {
-      submission.refused[topic] = fmt::format("{} is there {} times, at {} and {}: hand in one", fileName,
-                                              slot.places.size(), show(slot.places[0]), show(slot.places[1]));
-    } else if (!slot.content.refusal.empty()) {
-      submission.refused[topic] = fmt::format("{} {}", show(slot.places[0]), slot.content.refusal);
-    } else {
-      submission.sources[topic][fileName] = slot.content.text;
-    }
+  for (const Manifest& manifest : course_) {
+    if (isAskedFor(manifest.topic)) say(manifest, submission);
   }
-  // A refused file costs its exercise, whatever else of it was fine.
-  for (const auto& [topic, why] : submission.refused) submission.sources.erase(topic);
-  submission.notes = notes();
+  if (!submission.missing.empty() && !broken_.empty()) throw std::runtime_error(broken_.front());
+  submission.notes = notes(submission);
+  submission.hash = hashOf(submission);
   return submission;
 }
 

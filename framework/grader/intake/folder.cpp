@@ -2,6 +2,8 @@
 
 #include "base/process/descriptor.h"
 #include "base/text/printable.h"
+#include "grader/intake/archive.h"
+#include "grader/intake/file_names.h"
 #include "grader/intake/read_file.h"
 
 #include <dirent.h>
@@ -32,9 +34,11 @@ std::string kindOf(mode_t mode) {
   return "is no regular file";
 }
 
+std::string cannotBeRead() { return fmt::format("cannot be read: {}", std::strerror(errno)); }
+
 class Walk {
  public:
-  Walk(int root, Collector& collector) : root_(root), collector_(collector) {}
+  Walk(int root, Collector& collector) : root_(root), collector_(collector), archives_(collector) {}
 
   void run() {
     while (!pending_.empty() && !full_) {
@@ -55,18 +59,23 @@ class Walk {
     return current;
   }
 
-  std::vector<std::string> names(const Descriptor& folder) {
+  std::vector<std::string> names(const Descriptor& folder, const RelativePath& path) {
     std::vector<std::string> found;
     const int copy = ::openat(folder.get(), ".", folderFlags);  // the stream owns and closes it
     DIR* stream = copy >= 0 ? ::fdopendir(copy) : nullptr;
     if (stream == nullptr) {
+      collector_.unreadableFolder(path, cannotBeRead());
       if (copy >= 0) ::close(copy);
       return found;
     }
-    while (const dirent* entry = ::readdir(stream)) {
+    for (;;) {
+      errno = 0;
+      const dirent* entry = ::readdir(stream);
+      if (entry == nullptr && errno != 0) collector_.unreadableFolder(path, cannotBeRead());
+      if (entry == nullptr) break;
       const std::string name = entry->d_name;
       if (name == "." || name == "..") continue;
-      if (++entries_ > collector_.limits().entries) {
+      if (!archives_.countEntry()) {
         full_ = true;
         break;
       }
@@ -79,25 +88,30 @@ class Walk {
 
   void visit(const RelativePath& path) {
     const Descriptor folder = open(path);
-    if (!folder) return collector_.note(fmt::format("ignored {}/: {}", show(path), std::strerror(errno)));
-    const std::vector<std::string> found = names(folder);
+    if (!folder) return collector_.unreadableFolder(path, cannotBeRead());
+    const std::vector<std::string> found = names(folder, path);
     for (const std::string& name : found) {
       RelativePath entry = path;
       entry.push_back(name);
       offer(folder, entry);
     }
-    if (full_)
-      collector_.note(fmt::format("only the first {} entries were looked at: hand in the exercises alone",
-                                  collector_.limits().entries));
   }
 
   void offer(const Descriptor& folder, const RelativePath& path) {
     struct stat status {};
     if (::fstatat(folder.get(), path.back().c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0)
-      return collector_.notAFile(path, fmt::format("cannot be read: {}", std::strerror(errno)));
+      return collector_.file(path, [] { return Content::unreadable(cannotBeRead()); });
     if (S_ISDIR(status.st_mode)) return enter(path);
     if (!S_ISREG(status.st_mode)) return collector_.notAFile(path, kindOf(status.st_mode));
-    collector_.file(path, [&] { return read(folder, path.back()); });
+    if (isArchiveName(path.back()) && !Collector::isSkipped(path.back())) return unpack(folder, path);
+    collector_.file(path, [&] { return read(folder, path.back(), collector_.limits().sourceBytes); });
+  }
+
+  void unpack(const Descriptor& folder, const RelativePath& path) {
+    const Content content = read(folder, path.back(), collector_.limits().archiveBytes);
+    if (!content.fault.empty()) return collector_.unreadableFolder(path, content.fault);
+    if (!content.refusal.empty()) return collector_.notAFile(path, content.refusal);
+    archives_.readInside(content.bytes, path);
   }
 
   void enter(const RelativePath& path) {
@@ -106,25 +120,29 @@ class Walk {
     pending_.push_back(path);
   }
 
-  Content read(const Descriptor& folder, const std::string& name) const {
+  Content read(const Descriptor& folder, const std::string& name, std::size_t limit) const {
     // The name was a regular file a moment ago; O_NONBLOCK and the second look are for one that changed since.
     const Descriptor file(
         ::openat(folder.get(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     struct stat status {};
-    if (!file || ::fstat(file.get(), &status) != 0)
-      return {"", fmt::format("cannot be read: {}", std::strerror(errno))};
-    if (!S_ISREG(status.st_mode)) return {"", kindOf(status.st_mode)};
-    if (status.st_nlink > 1) return {"", "is a hard link (the file has another name elsewhere): hand in a copy"};
-    const std::size_t limit = collector_.limits().sourceBytes;
-    std::optional<std::string> text = readAll(file.get(), limit);
-    if (!text) return {"", fmt::format("is larger than {}", showBytes(limit))};
-    return {std::move(*text), ""};
+    if (!file && errno == ELOOP) return Content::refused("is a symbolic link");
+    if (!file || ::fstat(file.get(), &status) != 0) return Content::unreadable(cannotBeRead());
+    if (!S_ISREG(status.st_mode)) return Content::refused(kindOf(status.st_mode));
+    if (status.st_nlink > 1)
+      return Content::refused("is a hard link (the file has another name elsewhere): hand in a copy");
+    try {
+      std::optional<std::string> bytes = readAll(file.get(), limit);
+      if (!bytes) return Content::refused(fmt::format("is larger than {}", showBytes(limit)));
+      return {std::move(*bytes)};
+    } catch (const std::system_error& error) {
+      return Content::unreadable(fmt::format("cannot be read: {}", error.code().message()));
+    }
   }
 
   int root_;
   Collector& collector_;
   std::deque<RelativePath> pending_{RelativePath{}};
-  std::size_t entries_ = 0;
+  ArchiveReader archives_;
   bool full_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include "base/text/printable.h"
 #include "grader/intake/archive.h"
 #include "grader/intake/collector.h"
+#include "grader/intake/file_names.h"
 #include "grader/intake/folder.h"
 #include "grader/intake/read_file.h"
 
@@ -28,20 +29,32 @@ std::string nameOf(const std::filesystem::path& path) {
   return cut(printableLine(whole.filename().string()), nameBytes);
 }
 
-std::string readArchiveFile(const Descriptor& file, const std::string& name, std::size_t limit) {
+/// An archive, or a source alone when its name says so and its content nothing else.
+void readFileOf(const Descriptor& file, const std::filesystem::path& path, const std::string& name,
+                Collector& collector) {
+  const std::size_t limit = collector.limits().archiveBytes;
   std::optional<std::string> bytes = readAll(file.get(), limit);
+  const std::string fileName = path.filename().string();
+  if (isSourceName(fileName) && !(bytes && beginsAsArchive(*bytes))) {
+    const std::size_t sourceLimit = collector.limits().sourceBytes;
+    const bool isTooLarge = !bytes || bytes->size() > sourceLimit;
+    return collector.file({fileName}, [&]() -> Content {
+      if (isTooLarge) return Content::refused(fmt::format("is larger than {}", showBytes(sourceLimit)));
+      return {std::move(*bytes)};
+    });
+  }
   if (!bytes)
     throw std::runtime_error(
         fmt::format("the archive {} is larger than {}: hand in the sources alone", name, showBytes(limit)));
-  return std::move(*bytes);
+  ArchiveReader(collector).read(*bytes, name);
 }
 
 }  // namespace
 
 Submission takeSubmission(const std::filesystem::path& path, const std::vector<Manifest>& course,
-                          const IntakeLimits& limits) {
+                          const IntakeLimits& limits, const std::vector<std::string>& only) {
   const std::string name = nameOf(path);
-  Collector collector(course, limits);
+  Collector collector(course, limits, only);
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   struct stat status {};
   if (!file || ::fstat(file.get(), &status) != 0)
@@ -50,7 +63,7 @@ Submission takeSubmission(const std::filesystem::path& path, const std::vector<M
   if (S_ISDIR(status.st_mode)) {
     readFolder(path, collector);
   } else if (S_ISREG(status.st_mode)) {
-    readArchive(readArchiveFile(file, name, limits.archiveBytes), name, collector);
+    readFileOf(file, path, name, collector);
   } else {
     throw std::runtime_error(fmt::format("{} is neither a folder nor an archive", printableLine(path.string())));
   }

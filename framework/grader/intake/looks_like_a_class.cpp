@@ -1,0 +1,113 @@
+#include "grader/intake/looks_like_a_class.h"
+
+#include "base/text/printable.h"
+#include "grader/intake/file_names.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <map>
+#include <set>
+#include <system_error>
+
+namespace muelle::grader {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int lookedIntoDepth = 4;
+constexpr const char* unknownTopic = "";  ///< of what lies in an archive
+constexpr int lookedAtEntries = 1000;     ///< of one child
+
+bool isTopicFolder(const std::string& name, const Manifest& manifest) {
+  return name == manifest.topic || isNearFolderName(name, manifest.topic);
+}
+
+/// The topics that a file or folder of that name is for.
+void addTopicsOf(const std::string& name, bool isFolder, const std::vector<Manifest>& course,
+                 std::set<std::string>& topics) {
+  for (const Manifest& manifest : course) {
+    const bool isWanted =
+        isFolder ? isTopicFolder(name, manifest)
+                 : std::any_of(manifest.files.begin(), manifest.files.end(),
+                               [&](const std::string& wanted) { return name == wanted || isNearName(name, wanted); });
+    if (isWanted) topics.insert(manifest.topic);
+  }
+}
+
+std::set<std::string> topicsInside(const fs::path& folder, const std::vector<Manifest>& course) {
+  std::set<std::string> topics;
+  std::error_code error;
+  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
+  for (int seen = 0; !error && entry != fs::recursive_directory_iterator() && seen < lookedAtEntries; ++seen) {
+    const std::string name = entry->path().filename().string();
+    std::error_code unknown;
+    const bool isFolder = entry->is_directory(unknown) && !entry->is_symlink(unknown);
+    if (isFolder && (name.starts_with('.') || entry.depth() >= lookedIntoDepth)) entry.disable_recursion_pending();
+    addTopicsOf(name, isFolder, course, topics);
+    if (!isFolder && isArchiveName(name)) topics.insert(unknownTopic);
+    entry.increment(error);
+  }
+  return topics;
+}
+
+bool isServersName(const std::string& name) {
+  const bool isGradescopes =
+      name.starts_with("submission_") && name.find_first_not_of("0123456789", 11) == std::string::npos;
+  return isGradescopes || name.find("_assignsubmission_") != std::string::npos;
+}
+
+bool isCourseFolder(const std::string& name) {
+  const std::string lower = lowerCase(name);
+  return lower == "exercises" || lower == "solutions";
+}
+
+/// What tells a class from a hand-in, counted over the children.
+struct Signs {
+  bool isAHandIn = false;
+  int archives = 0;
+  int named = 0;                      ///< folders with a name that a server gives
+  std::map<std::string, int> topics;  ///< topic -> folders that hold something for it
+};
+
+void look(const fs::directory_entry& child, const std::vector<Manifest>& course, Signs& signs) {
+  const std::string name = child.path().filename().string();
+  std::error_code unknown;
+  if (name.starts_with('.') || name == "__MACOSX") return;
+  const bool isFolder = child.is_directory(unknown);
+  if (!isServersName(name)) {
+    std::set<std::string> own;
+    addTopicsOf(name, isFolder, course, own);
+    if (isArchiveName(name)) addTopicsOf(withoutArchiveSuffix(name), true, course, own);
+    signs.isAHandIn |= !own.empty();
+  }
+  if (!isFolder) {
+    if (isArchiveName(name)) ++signs.archives;
+    if (!isArchiveName(name) && isServersName(name)) ++signs.named;
+    return;
+  }
+  if (isServersName(name)) ++signs.named;
+  const std::set<std::string> topics = topicsInside(child.path(), course);
+  signs.isAHandIn |= isCourseFolder(name) && !topics.empty();
+  for (const std::string& topic : topics) ++signs.topics[topic];
+}
+
+}  // namespace
+
+std::optional<std::string> looksLikeAClass(const std::filesystem::path& path, const std::vector<Manifest>& course) {
+  Signs signs;
+  std::error_code error;
+  if (!fs::is_directory(path, error)) return std::nullopt;
+  for (fs::directory_iterator child(path, error), end; !error && child != end; child.increment(error))
+    look(*child, course, signs);
+  if (error || signs.isAHandIn) return std::nullopt;
+  int folders = signs.named;
+  for (const auto& [topic, count] : signs.topics) folders = std::max(folders, count);
+  if (signs.archives < 2 && folders < 2) return std::nullopt;
+  const std::string what =
+      signs.archives >= folders ? fmt::format("{} archives", signs.archives) : fmt::format("{} hand-ins", folders);
+  return fmt::format("holds {}; to grade each as a submission: ./muelle grade --class {}", what,
+                     cut(printableLine(path.string()), 200));
+}
+
+}  // namespace muelle::grader

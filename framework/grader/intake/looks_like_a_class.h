@@ -1,0 +1,17 @@
+#pragma once
+#include "course/manifest.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace muelle::grader {
+
+/// Why a folder given as one submission is rather a class, with what to do instead ("holds 28 archives; to grade each
+/// as a submission: ./muelle grade --class FOLDER"); nullopt when it is a submission or no folder. A class holds no
+/// hand-in itself (no file to hand in, no exercise's folder, no exercises/ or solutions/), and two children or more
+/// that are archives, that Moodle or Gradescope has named, or that hold files for one and the same exercise.
+std::optional<std::string> looksLikeAClass(const std::filesystem::path& path, const std::vector<Manifest>& course);
+
+}  // namespace muelle::grader
