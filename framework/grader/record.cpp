@@ -91,6 +91,7 @@ Verdict verdictFromJson(const json& document) {
   document.at("topic").get_to(verdict.topic);
   document.at("suite").get_to(verdict.suite);
   const std::string outcome = document.at("outcome");
+  document.at("timed_out").get_to(verdict.timedOut);
   verdict.outcome = outcomeNamed(outcome);
   if (nameOf(verdict.outcome) != outcome) throw std::runtime_error("a record of an unknown outcome");
   for (const json& test : document.at("tests")) verdict.tests.push_back(testFromJson(test));
@@ -127,6 +128,7 @@ void writeRecord(const Verdict& verdict, const std::filesystem::path& file) {
                         {"misconceptions", mistakes},
                         {"fault", verdict.fault},
                         {"grader_fault", verdict.graderFault},
+                        {"timed_out", verdict.timedOut},
                         {"output", verdict.output},
                         {"seconds", verdict.seconds},
                         {"calls", verdict.calls}}));

@@ -18,7 +18,8 @@ int clean() {
 
 void addClean(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("clean", "Forget what has been graded, but not the seed");
-  command->footer("The next grading compiles and tests everything again, with the same inputs.\nExample: ./muelle clean");
+  command->footer(
+      "The next grading compiles and tests everything again, with the same inputs.\nExample: ./muelle clean");
   command->callback([&status] { status = clean(); });
 }
 

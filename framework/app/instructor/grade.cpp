@@ -1,3 +1,4 @@
+#include "grader/run/grade.h"
 #include "app/commands.h"
 #include "base/progress_bar.h"
 #include "base/terminal.h"
@@ -5,7 +6,6 @@
 #include "grader/intake/class_folder.h"
 #include "grader/report/report.h"
 #include "grader/report/report_folder.h"
-#include "grader/run/grade.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -36,8 +36,7 @@ grader::Grader openGrader(const GradeCommand& command) {
   grader::GradeOptions options;
   options.seed = command.seed;
   options.fresh = command.fresh;
-  options.sandbox =
-      command.unsafe ? grader::SandboxChoice::Unsafe : grader::parseSandboxChoice(command.sandbox);
+  options.sandbox = command.unsafe ? grader::SandboxChoice::Unsafe : grader::parseSandboxChoice(command.sandbox);
   return grader::openGrader(grader::Workplace::ofThisBuild(), options, command.only);
 }
 
@@ -55,8 +54,7 @@ int gradeSubmission(const GradeCommand& command) {
   grader.onProgress([&] { bar.update(static_cast<double>(grader.finished()) / std::max(1, grader.known())); });
   const grader::GradedSubmission graded = grader::grade(grader, std::move(submission), jobsOf(command));
 
-  const fs::path folder =
-      command.out.empty() ? grader::reportFolder("out", command.submission) : fs::path(command.out);
+  const fs::path folder = command.out.empty() ? grader::reportFolder("out", command.submission) : fs::path(command.out);
   grader::writeReports(graded, folder);
   fmt::print("{}", grader::terminalTable(graded, coloursWanted(), terminalWidth()));
   fmt::print("\nreport: {}\n        {}\n        {}\n", (folder / "report.html").string(),
@@ -81,8 +79,9 @@ int gradeClass(const GradeCommand& command) {
   fmt::print("\nclass:  {}\ngrades: {}\n", (options.out / "class.html").string(),
              (options.out / "grades.csv").string());
   if (!graded.hasFault()) return 0;
-  fmt::print(stderr, "muelle: {} of {} submissions have no score (see the notes): mend what is broken, then type the "
-                     "same command again\n",
+  fmt::print(stderr,
+             "muelle: {} of {} submissions have no score (see the notes): mend what is broken, then type the "
+             "same command again\n",
              graded.faults(), graded.rows.size());
   return 1;
 }

@@ -150,7 +150,7 @@ void runMatrix(const Workplace& workplace, std::vector<TopicMatrix>& matrices, c
   for (TopicMatrix& matrix : matrices) {
     for (MatrixRow& row : matrix.rows) {
       counter.expectOne();
-      grader.addExercise(pool, matrix.manifest, &row.sources, "", [&row, &counter](const GradedExercise& graded) {
+      grader.addExercise(pool, matrix.manifest, &row.sources, {}, [&row, &counter](const GradedExercise& graded) {
         fill(row, graded);
         counter.count();
       });

@@ -1,5 +1,6 @@
 #pragma once
 #include "course/testing/random.h"
+#include "course/check/outcome.h"
 #include "grader/remote/fault.h"
 #include "grader/remote/worker_process.h"
 #include "grader/wire/frame.h"
@@ -57,6 +58,8 @@ class Session {
   [[noreturn]] void fail(const SubmissionFault& fault);
 
   const std::string& fault() const { return fault_; }
+  /// The class of the fault.
+  Outcome outcome() const { return timedOutFunction_.empty() ? Outcome::Crash : Outcome::Cpu; }
   const std::string& graderFault() const { return graderFault_; }
   /// Stands for the code that runs when a file is loaded, which every function needs.
   static constexpr const char* loading = "(loading)";

@@ -93,9 +93,9 @@ class Builder {
     object.outcome.diagnostics = document["diagnostics"].get<std::string>();
     object.plain = store_.file(key_, objectSuffix);
     if (document["sanitised"].get<bool>()) object.sanitised = store_.file(key_, sanitisedSuffix);
-    const bool isWhole = object.outcome.status != Status::Built ||
-                         (store_.has(key_, objectSuffix) &&
-                          (object.sanitised.empty() || store_.has(key_, sanitisedSuffix)));
+    const bool isWhole =
+        object.outcome.status != Status::Built ||
+        (store_.has(key_, objectSuffix) && (object.sanitised.empty() || store_.has(key_, sanitisedSuffix)));
     return isWhole ? std::optional(object) : std::nullopt;
   }
 

@@ -9,8 +9,7 @@ namespace muelle::grader {
 
 using Status = BuildOutcome::Status;
 
-ExerciseRun::ExerciseRun(Grader& grader, Pool& pool, const Manifest& manifest,
-                         std::function<void(GradedExercise)> done)
+ExerciseRun::ExerciseRun(Grader& grader, Pool& pool, const Manifest& manifest, std::function<void(GradedExercise)> done)
     : grader_(grader), pool_(pool), manifest_(manifest), done_(std::move(done)) {
   graded_.manifest = manifest;
 }
@@ -20,11 +19,8 @@ void ExerciseRun::begin(Sources sources) {
   build(Try::Shared);
 }
 
-void ExerciseRun::leaveOut(const std::string& refusal) {
-  const bool isRefused = !refusal.empty();
-  graded_.build.status = isRefused ? Status::Refused : Status::Missing;
-  graded_.build.message =
-      isRefused ? refusal : fmt::format("the submission has no {}", manifest_.files.front());
+void ExerciseRun::leaveOut(const BuildOutcome& why) {
+  graded_.build = why;
   done_(std::move(graded_));
 }
 
@@ -54,8 +50,8 @@ void ExerciseRun::build(Try attempt) {
     return done_(std::move(graded_));
   }
   candidate_ = std::make_unique<Candidate>(
-      Candidate{manifest_, sources_,
-                objectKey(grader_.workplace(), manifest_, sources_, grader_.options().sandbox), built.object});
+      Candidate{manifest_, sources_, objectKey(grader_.workplace(), manifest_, sources_, grader_.options().sandbox),
+                built.object});
   missing_ = manifest_.criteria.size() + (grader_.options().withCurves ? 1 : 0);
   grader_.count(grader_.known_, static_cast<int>(missing_));
   grader_.count(grader_.finished_);
@@ -83,10 +79,10 @@ Verdict ExerciseRun::withoutTrying(const Criterion& criterion, const std::string
   verdict.topic = manifest_.topic;
   verdict.suite = criterion.suite;
   verdict.outcome = Outcome::Cpu;
-  verdict.fault = function == Session::loading
-                      ? "the code that runs when your file is loaded does not end"
-                      : fmt::format("{} did not return in time in criterion {}; this criterion needs it", function,
-                                    suite);
+  verdict.fault =
+      function == Session::loading
+          ? "the code that runs when your file is loaded does not end"
+          : fmt::format("{} did not return in time in criterion {}; this criterion needs it", function, suite);
   return verdict;
 }
 
@@ -106,9 +102,7 @@ std::optional<Verdict> ExerciseRun::known(const Criterion& criterion, Try attemp
 void ExerciseRun::judge(std::size_t index, Try attempt) {
   const Criterion& criterion = manifest_.criteria[index];
   if (auto verdict = known(criterion, attempt)) return settle(criterion, std::move(*verdict));
-  const auto tryAlone = [&] {
-    pool_.addAlone([self = shared_from_this(), index] { self->judge(index, Try::Alone); });
-  };
+  const auto tryAlone = [&] { pool_.addAlone([self = shared_from_this(), index] { self->judge(index, Try::Alone); }); };
   if (attempt == Try::Shared) {
     const std::lock_guard lock(mutex_);
     std::string function;

@@ -7,14 +7,15 @@
 
 namespace muelle::grader {
 
-/// The grading of one hand-in of one exercise, as tasks of a pool: build, then the criteria and the curves side by side.
+/// The grading of one hand-in of one exercise, as tasks of a pool: build, then the criteria and the curves side by
+/// side.
 class ExerciseRun : public std::enable_shared_from_this<ExerciseRun> {
  public:
   ExerciseRun(Grader& grader, Pool& pool, const Manifest& manifest, std::function<void(GradedExercise)> done);
 
   /// Tasks of the pool: the first builds and adds the others, the second has nothing to grade.
   void begin(Sources sources);
-  void leaveOut(const std::string& refusal);
+  void leaveOut(const BuildOutcome& why);
 
  private:
   /// Whether nothing else runs: then what is seen is believed.
@@ -44,9 +45,9 @@ class ExerciseRun : public std::enable_shared_from_this<ExerciseRun> {
 
   std::mutex mutex_;
   GradedExercise graded_;
-  std::size_t missing_ = 0;                         ///< criteria and curves that are not done
-  std::map<std::string, std::string> suspected_;    ///< function -> suite in which it ran out of time once
-  std::map<std::string, std::string> confirmed_;    ///< ... and once more, alone
+  std::size_t missing_ = 0;                       ///< criteria and curves that are not done
+  std::map<std::string, std::string> suspected_;  ///< function -> suite in which it ran out of time once
+  std::map<std::string, std::string> confirmed_;  ///< ... and once more, alone
 };
 
 }  // namespace muelle::grader

@@ -36,9 +36,25 @@ const Sources* sourcesOf(const Submission& submission, const Manifest& manifest)
   return &found->second;
 }
 
-std::string refusalOf(const Submission& submission, const Manifest& manifest) {
-  const auto refused = submission.refused.find(manifest.topic);
-  return refused == submission.refused.end() ? "" : refused->second;
+std::string entryOf(const std::map<std::string, std::string>& entries, const std::string& topic) {
+  const auto found = entries.find(topic);
+  return found == entries.end() ? "" : found->second;
+}
+
+/// Why there is nothing to build: refused, unreadable for us, or not handed in.
+BuildOutcome absence(const Submission& submission, const Manifest& manifest) {
+  using Status = BuildOutcome::Status;
+  BuildOutcome outcome;
+  outcome.status = Status::GraderFault;
+  outcome.message = entryOf(submission.faults, manifest.topic);
+  if (!outcome.message.empty()) return outcome;
+  outcome.status = Status::Refused;
+  outcome.message = entryOf(submission.refused, manifest.topic);
+  if (!outcome.message.empty()) return outcome;
+  outcome.status = Status::Missing;
+  outcome.message = entryOf(submission.missing, manifest.topic);
+  if (outcome.message.empty()) outcome.message = fmt::format("the submission has no {}", manifest.files.front());
+  return outcome;
 }
 
 }  // namespace
@@ -72,8 +88,9 @@ void Grader::add(Pool& pool, Submission submission, std::function<void(GradedSub
   unfinished->missing = course_.size();
   for (std::size_t i = 0; i < course_.size(); ++i) {
     const Manifest& manifest = course_[i];
-    addExercise(pool, manifest, sourcesOf(submission, manifest), refusalOf(submission, manifest),
-                [unfinished, i](GradedExercise exercise) {
+    addExercise(pool, manifest, sourcesOf(submission, manifest), absence(submission, manifest),
+                [unfinished, i, note = entryOf(submission.taken, manifest.topic)](GradedExercise exercise) {
+                  exercise.note = note;
                   std::unique_lock lock(unfinished->mutex);
                   unfinished->graded.exercises[i] = std::move(exercise);
                   if (--unfinished->missing > 0) return;
@@ -83,14 +100,14 @@ void Grader::add(Pool& pool, Submission submission, std::function<void(GradedSub
   }
 }
 
-void Grader::addExercise(Pool& pool, const Manifest& manifest, const Sources* sources, const std::string& refusal,
+void Grader::addExercise(Pool& pool, const Manifest& manifest, const Sources* sources, const BuildOutcome& otherwise,
                          std::function<void(GradedExercise)> done) {
   const auto run = std::make_shared<ExerciseRun>(*this, pool, manifest, std::move(done));
   if (sources != nullptr) {
     count(known_);
     pool.append([run, copy = *sources]() mutable { run->begin(std::move(copy)); });
   } else {
-    pool.append([run, refusal] { run->leaveOut(refusal); });
+    pool.append([run, otherwise] { run->leaveOut(otherwise); });
   }
 }
 

@@ -11,8 +11,8 @@ namespace muelle::grader {
 
 /// The grading engine: course, sandbox and store are opened once; submissions are graded as tasks of one pool.
 ///
-/// Nothing here throws for one submission: what goes wrong on our side becomes a fault of the grader in that submission,
-/// and the others are graded.
+/// Nothing here throws for one submission: what goes wrong on our side becomes a fault of the grader in that
+/// submission, and the others are graded.
 class Grader {
  public:
   /// \param sandbox settled: options.sandbox is set to its choice
@@ -29,8 +29,8 @@ class Grader {
   void add(Pool& pool, Submission submission, std::function<void(GradedSubmission)> done);
 
   /// The same for one exercise.
-  /// \param sources null: it was not handed in, or `refusal` says why it does not count
-  void addExercise(Pool& pool, const Manifest& manifest, const Sources* sources, const std::string& refusal,
+  /// \param sources null: there is nothing to build, and `otherwise` says why
+  void addExercise(Pool& pool, const Manifest& manifest, const Sources* sources, const BuildOutcome& otherwise,
                    std::function<void(GradedExercise)> done);
 
   /// Tasks that have ended and tasks that are known, for a progress bar.

@@ -112,8 +112,8 @@ std::vector<std::string> readSvgs(const fs::path& folder) {
 }
 
 std::string toText(const Curves& curves) {
-  return nlohmann::json{{"note", curves.note}, {"svgs", curves.svgs}}.dump(
-      -1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return nlohmann::json{{"note", curves.note}, {"svgs", curves.svgs}}.dump(-1, ' ', false,
+                                                                           nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace
@@ -127,8 +127,7 @@ std::optional<Verdict> keptVerdict(const Workplace& workplace, const Store& stor
                                    const Criterion& criterion, const GradeOptions& options) {
   const std::string key = verdictKey(workplace, candidate.manifest, criterion, candidate.objectKey, options);
   const std::optional<Verdict> verdict = readRecord(store.file(key, recordSuffix));
-  const bool belongs =
-      verdict && verdict->topic == candidate.manifest.topic && verdict->suite == criterion.suite;
+  const bool belongs = verdict && verdict->topic == candidate.manifest.topic && verdict->suite == criterion.suite;
   return belongs ? verdict : std::nullopt;
 }
 

@@ -14,9 +14,9 @@ using Sources = std::map<std::string, std::string>;
 /// How a submission is graded.
 struct GradeOptions {
   SandboxChoice sandbox = SandboxChoice::Automatic;
-  std::string seed;         ///< the instructor's; the inputs of every exercise derive from it
-  bool fresh = false;       ///< build and run again although a verdict is kept
-  bool withCurves = true;   ///< draw the demo's curves
+  std::string seed;        ///< the instructor's; the inputs of every exercise derive from it
+  bool fresh = false;      ///< build and run again although a verdict is kept
+  bool withCurves = true;  ///< draw the demo's curves
 };
 
 /// Names everything that a compiled hand-in is made of: the exercise, its files, contract, harness, glue, flags,

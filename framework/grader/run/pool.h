@@ -10,8 +10,8 @@ namespace muelle::grader {
 /// A piece of work; it may add others to the pool that runs it.
 using Task = std::function<void()>;
 
-/// Threads that work through tasks. What a task adds comes before what waits already, so that one submission is finished
-/// before the next is begun and memory stays bounded by the number of threads.
+/// Threads that work through tasks. What a task adds comes before what waits already, so that one submission is
+/// finished before the next is begun and memory stays bounded by the number of threads.
 ///
 /// Tasks that must run alone (what was killed or ran out of time on a busy machine is tried once more) wait until all
 /// others are done, and then run one at a time.

@@ -7,8 +7,8 @@
 
 namespace muelle::grader {
 
-/// Where the grader finds its parts and keeps its products: the checkout and its build folder. The programs are members,
-/// so that a test can put a broken one in a program's place.
+/// Where the grader finds its parts and keeps its products: the checkout and its build folder. The programs are
+/// members, so that a test can put a broken one in a program's place.
 struct Workplace {
   std::filesystem::path source;
   std::filesystem::path binary;

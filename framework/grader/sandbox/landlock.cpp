@@ -64,7 +64,7 @@ std::string Landlock::whyNot() {
     trial.command = {"/usr/bin/true"};
     trial.systemFolders = {"/usr/bin", "/usr/lib"};
     if (fs::exists("/usr/lib64")) trial.systemFolders.emplace_back("/usr/lib64");
-    const CommandResult result = Landlock().run(trial, std::chrono::seconds(10), 1000, 1000);
+    const CommandResult result = Landlock().run(trial, {std::chrono::seconds(10), 1000, 1000, 0, false});
     if (!result.timedOut && !result.status.signalled && result.status.code == 0) return "";
     std::string words = result.err.substr(0, 300);
     std::replace(words.begin(), words.end(), '\n', ' ');

@@ -60,10 +60,9 @@ Child Sandbox::start(const Confinement& confinement) const {
   return child;
 }
 
-CommandResult Sandbox::run(const Confinement& confinement, std::chrono::milliseconds limit, std::size_t outBytes,
-                           std::size_t errBytes) const {
+CommandResult Sandbox::run(const Confinement& confinement, const Capture& capture) const {
   const Prepared prepared = prepare(confinement);
-  return runCommand(prepared.spec, {limit, outBytes, errBytes, 0, false});
+  return runCommand(prepared.spec, capture);
 }
 
 unsigned unassignedUserId() {

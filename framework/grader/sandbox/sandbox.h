@@ -47,8 +47,7 @@ class Sandbox {
   /// sandbox refuses: the grader's fault, never the student's.
   Child start(const Confinement& confinement) const;
   /// Runs one to its end, with both outputs drained and cut.
-  CommandResult run(const Confinement& confinement, std::chrono::milliseconds limit, std::size_t outBytes,
-                    std::size_t errBytes) const;
+  CommandResult run(const Confinement& confinement, const Capture& capture) const;
   /// For the report: "bubblewrap", or a weaker way and why.
   virtual std::string description() const = 0;
   /// The choice that makes this very backend again.

@@ -2,6 +2,7 @@
 /// The main of every hidden test program: grades one criterion and writes its record, or draws the demo's curves.
 /// No code of a student is ever loaded here; submission::f is a call to a worker.
 
+#include "course/testing/never_written.h"
 #include "course/testing/random.h"
 #include "figures/write.h"
 #include "grader/record.h"
@@ -21,6 +22,8 @@ std::vector<muelle::Figure> muelleReferenceDemo();
 namespace {
 
 using namespace muelle::grader;
+using muelle::Mismatch;
+using muelle::Outcome;
 
 struct Options {
   std::string topic;
@@ -81,6 +84,19 @@ void grade(const Options& options, Session& session, Verdict& verdict) {
   verdict.timedOut = session.timedOutFunction();
 }
 
+/// What the calls came to: the session's word when something went wrong, else the tests'.
+Outcome outcomeOf(const Verdict& verdict, const Session& session) {
+  if (!session.fault().empty()) return session.outcome();
+  const bool allPassed =
+      std::all_of(verdict.tests.begin(), verdict.tests.end(), [](const TestOutcome& test) { return test.passed; });
+  if (allPassed) return Outcome::Passed;
+  const auto isFill = [](const Mismatch& mismatch) { return muelle::isFill(mismatch.got); };
+  const bool neverWritten = std::any_of(verdict.tests.begin(), verdict.tests.end(), [&](const TestOutcome& test) {
+    return std::any_of(test.mismatches.begin(), test.mismatches.end(), isFill);
+  });
+  return neverWritten ? Outcome::NeverWritten : Outcome::Wrong;
+}
+
 void diagnose(Verdict& verdict) {
   if (verdict.passed() || !verdict.graderFault.empty()) return;
   for (const auto& [function, history] : CallHistoryBase::all()) {
@@ -112,6 +128,7 @@ int run(int argc, char** argv) {
   const auto start = std::chrono::steady_clock::now();
   if (options.figures.empty()) {
     grade(options, session, verdict);
+    verdict.outcome = outcomeOf(verdict, session);
     diagnose(verdict);
   } else {
     try {
@@ -119,6 +136,7 @@ int run(int argc, char** argv) {
     } catch (const SubmissionFault& fault) {
       verdict.fault = fault.what();
     }
+    verdict.outcome = session.fault().empty() ? Outcome::Passed : session.outcome();
     verdict.graderFault = session.graderFault();
   }
   verdict.output = session.output();

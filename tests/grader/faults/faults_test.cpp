@@ -1,6 +1,6 @@
 /// \file
-/// Faults of the machine, staged: an honest submission never gets a wrong score and has full marks when the same command
-/// is run again; a wrong one gets what it gets on a machine where all is well.
+/// Faults of the machine, staged: an honest submission never gets a wrong score and has full marks when the same
+/// command is run again; a wrong one gets what it gets on a machine where all is well.
 
 #include "hunter.h"
 #include "staged.h"

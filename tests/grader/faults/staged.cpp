@@ -40,7 +40,7 @@ GradedExercise StagedFault::grade(const Sources& sources, std::unique_ptr<Sandbo
   Grader grader(workplace_, {exercise_}, options, std::move(sandbox));
   Pool pool(2);
   GradedExercise result;
-  grader.addExercise(pool, exercise_, &sources, "", [&result](GradedExercise graded) { result = std::move(graded); });
+  grader.addExercise(pool, exercise_, &sources, {}, [&result](GradedExercise graded) { result = std::move(graded); });
   pool.run();
   return result;
 }
@@ -76,7 +76,7 @@ void StagedFault::expectUndisturbed(const GradedExercise& graded, const Sources&
     options.withCurves = false;
     Grader grader(workplace, {exercise_}, options, makeSandbox(SandboxChoice::Automatic));
     Pool pool(2);
-    grader.addExercise(pool, exercise_, &sources, "", [&](const GradedExercise& calm) {
+    grader.addExercise(pool, exercise_, &sources, {}, [&](const GradedExercise& calm) {
       for (const Criterion& criterion : calm.manifest.criteria) {
         known[sources][criterion.suite] = score(criterion, calm).value_or(-1.0);
       }
@@ -94,8 +94,8 @@ void StagedFault::putInCompilersPlace(const std::string& script) {
   const fs::path file = folder_.path() / "compiler";
   const std::string real = Workplace::ofThisBuild().compiler.string();
   writeFile(file, "#!/bin/sh\ncompiler=" + real + "\n" + script + "\n");
-  fs::permissions(file, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
-                            fs::perms::others_read | fs::perms::others_exec);
+  fs::permissions(file, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec | fs::perms::others_read |
+                            fs::perms::others_exec);
   workplace_.compiler = file;
 }
 

@@ -52,8 +52,17 @@ std::set<std::string> failedSuites(const Pair& pair, const fs::path& submission,
   const fs::path report = folder.path() / "report.xml";
   const std::string& topic = pair.exercise.topic;
   muelle::ChildSpec spec;
-  spec.command = {"/usr/bin/ctest", "--test-dir", Workplace::ofThisBuild().binary.string(), "-L", "^grade$", "-L",
-                  "^" + topic + "$", "-E", "curves", "--output-junit", report.string()};
+  spec.command = {"/usr/bin/ctest",
+                  "--test-dir",
+                  Workplace::ofThisBuild().binary.string(),
+                  "-L",
+                  "^grade$",
+                  "-L",
+                  "^" + topic + "$",
+                  "-E",
+                  "curves",
+                  "--output-junit",
+                  report.string()};
   spec.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8", "MUELLE_SUBMISSION=" + submission.string(),
                       "MUELLE_SEED=two at once " + std::to_string(round)};
   muelle::Capture capture;

@@ -46,7 +46,8 @@ TEST_F(Compiling, SeesTheContractAndNothingOfTheProject) {
   const char* home = std::getenv("HOME");
   std::string source;
   for (const std::string& path :
-       {checkout + "/tests/hidden/" + exercise_.topic + "/oracle.cpp", checkout + "/solutions/" + exercise_.topic + "/" + exercise_.files.front(),
+       {checkout + "/tests/hidden/" + exercise_.topic + "/oracle.cpp",
+        checkout + "/solutions/" + exercise_.topic + "/" + exercise_.files.front(),
         workplace_.contract(exercise_.topic).string(), checkout + "/CMakeLists.txt", workplace_.seedFile().string(),
         std::string("/etc/passwd"), std::string("/etc/shadow"), std::string("/proc/self/maps"),
         std::string("/proc/self/environ"), std::string("/dev/zero"),
