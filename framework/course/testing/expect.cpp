@@ -12,15 +12,6 @@ bool near(double actual, double expected, double tolerance) {
   return std::isfinite(actual) && std::abs(actual - expected) <= tolerance;
 }
 
-/// The tests write submission::springForce(...); in a student's file the function has no such prefix.
-constexpr std::string_view prefix = "submission::";
-
-std::string asStudentsWrite(std::string text) {
-  for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at))
-    text.erase(at, prefix.size());
-  return text;
-}
-
 /// A mismatch that knows what was compared, and no number yet.
 Mismatch mismatchOf(const char* actualText, double tolerance) {
   Mismatch mismatch;
@@ -29,7 +20,7 @@ Mismatch mismatchOf(const char* actualText, double tolerance) {
     mismatch.unit = label->unit();
   }
   mismatch.expression = asStudentsWrite(actualText);
-  mismatch.ofCall = std::string_view(actualText).starts_with(prefix);
+  mismatch.ofCall = std::string_view(actualText).starts_with("submission::");
   mismatch.tolerance = tolerance;
   return mismatch;
 }

@@ -54,6 +54,13 @@ std::string sentence(const Mismatch& mismatch) {
                      words.bounds.empty() ? "" : fmt::format(" ({})", words.bounds));
 }
 
+std::string asStudentsWrite(std::string source) {
+  constexpr std::string_view prefix = "submission::";
+  for (std::size_t at = source.find(prefix); at != std::string::npos; at = source.find(prefix, at))
+    source.erase(at, prefix.size());
+  return source;
+}
+
 void noteMismatch(std::optional<Mismatch> mismatch) { noted = std::move(mismatch); }
 
 std::optional<Mismatch> takeMismatch(std::string_view message) {

@@ -46,6 +46,10 @@ MismatchWords wordsOf(const Mismatch& mismatch);
 /// where a sentence is made of a mismatch. Not made printable: a statement may hold a student's text.
 std::string sentence(const Mismatch& mismatch);
 
+/// The source of a test as a student writes it: without the "submission::" that tells their functions from the
+/// oracle's.
+std::string asStudentsWrite(std::string source);
+
 /// Leaves a mismatch, or none, for the listener that is told of the failure next on this thread.
 void noteMismatch(std::optional<Mismatch> mismatch);
 

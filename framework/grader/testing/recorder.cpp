@@ -22,7 +22,7 @@ std::string firstLine(const char* message) {
 Mismatch mismatchOf(const ::testing::TestPartResult& part, const std::string& call) {
   const std::optional<Mismatch> compared = takeMismatch(part.message());
   Mismatch mismatch = compared.value_or(Mismatch());
-  if (!compared) mismatch.says = firstLine(part.message());
+  if (!compared) mismatch.says = asStudentsWrite(firstLine(part.message()));
   mismatch.call = call;
   return mismatch;
 }
