@@ -1,4 +1,4 @@
-// attack: includes the descriptors and the input of the compiler; expect: zero points; says: does not compile
+// attack: includes the descriptors and the input of the compiler; expect: zero points
 #include "energy_gradient.h"
 #include "/dev/stdin"
 #include "/proc/self/fd/0"
