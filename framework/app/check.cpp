@@ -1,7 +1,10 @@
 #include "app/commands.h"
+#include "base/build_paths.h"
 #include "base/terminal.h"
 #include "base/text/printable.h"
+#include "course/check/compile_rules.h"
 #include "course/check/exercise_check.h"
+#include "course/check/handed_out.h"
 #include "course/manifest.h"
 
 #include <fmt/format.h>
@@ -51,9 +54,14 @@ class Check {
 
   /// Prints the verdict, then draws; true when everything passes.
   bool run() {
+    fmt::print("{}", sayChanged(changedHandedOut(build_paths::source, exercise_.topic)));
+    if (compilesWithClang()) {
+      fmt::print("{}\n", dim(fmt::format("compiled with {}; the course is graded with g++", build_paths::compiler)));
+    }
     const StudentProgram program = buildStudentProgram(exercise_, sources_, folders_);
     if (program.executable.empty()) {
-      fmt::print("{} {}: does not compile\n\n{}\n", red("✗"), bold(exercise_.topic), program.diagnostics);
+      fmt::print("{} {}: {}\n\n{}\n", red("✗"), bold(exercise_.topic), printableLine(program.message),
+                 program.diagnostics);
       printNext();
       return false;
     }

@@ -22,11 +22,11 @@ function(muelle_role_library target topic role)
   add_library(${target} OBJECT ${ARGN})
   target_link_libraries(${target} PRIVATE muelle_flags muelle_harness muelle_testing)
   target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/exercises/${topic})
-  target_compile_definitions(${target} PRIVATE MUELLE_FUNCTIONS_HEADER="${role}")
+  target_compile_definitions(${target} PRIVATE MUELLE_FUNCTIONS_HEADER="${role}" ${MUELLE_FILL_DEFINE})
 endfunction()
 
 # For `muelle check`: the public tests and the demo, to be linked with the student's object file. The response file
-# lists the objects and libraries for the compiler driver.
+# lists the objects and libraries for the compiler driver, quoted: a checkout's path may have blanks.
 function(muelle_check_parts topic)
   if(NOT TARGET muelle_public_main)
     return()
@@ -35,16 +35,16 @@ function(muelle_check_parts topic)
   muelle_role_library(public_${topic} ${topic} course/testing/direct_functions.h
                       ${folder}/public_test.cpp ${folder}/demo.cpp)
   file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/check/${topic}.rsp CONTENT
-"$<JOIN:$<TARGET_OBJECTS:public_${topic}>,\n>
-$<JOIN:$<TARGET_OBJECTS:muelle_public_main>,\n>
-$<TARGET_FILE:muelle_testing>
-$<TARGET_FILE:muelle_check>
-$<TARGET_FILE:muelle_figures>
-$<TARGET_FILE:muelle_harness>
-$<TARGET_FILE:muelle_base>
-$<TARGET_FILE:GTest::gtest>
-$<TARGET_FILE:fmt::fmt>
-${MUELLE_UTF8PROC_LIBRARY}
+"\"$<JOIN:$<TARGET_OBJECTS:public_${topic}>,\"\n\">\"
+\"$<JOIN:$<TARGET_OBJECTS:muelle_public_main>,\"\n\">\"
+\"$<TARGET_FILE:muelle_testing>\"
+\"$<TARGET_FILE:muelle_check>\"
+\"$<TARGET_FILE:muelle_figures>\"
+\"$<TARGET_FILE:muelle_harness>\"
+\"$<TARGET_FILE:muelle_base>\"
+\"$<TARGET_FILE:GTest::gtest>\"
+\"$<TARGET_FILE:fmt::fmt>\"
+\"${MUELLE_UTF8PROC_LIBRARY}\"
 -pthread
 ${MUELLE_SANITIZER_LINK_FLAG}
 ")
@@ -61,7 +61,7 @@ function(muelle_grading_parts topic)
   target_link_libraries(glue_${topic} PRIVATE muelle_plain_flags Eigen3::Eigen)
   target_include_directories(glue_${topic} PRIVATE ${folder})
   target_compile_definitions(glue_${topic} PRIVATE MUELLE_CONTRACT="${topic}.h"
-                             MUELLE_FUNCTIONS_HEADER="grader/worker/dispatch_functions.h")
+                             MUELLE_FUNCTIONS_HEADER="grader/worker/dispatch_functions.h" ${MUELLE_FILL_DEFINE})
   set_target_properties(glue_${topic} PROPERTIES ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
 
   muelle_role_library(reference_demo_${topic} ${topic} grader/remote/oracle_functions.h ${folder}/demo.cpp)

@@ -47,5 +47,13 @@ endif()
 
 # A student's file: optimised a little, position independent for the worker's shared object, same for check and grade,
 # so that both use one precompiled header. The standard library checks indices, as Eigen does.
-set(MUELLE_STUDENT_FLAGS -std=c++20 -O1 -fPIC -Wall -Wextra -D_GLIBCXX_ASSERTIONS)
+# What nobody has written holds a pattern, and an Eigen object NaN, so that luck earns nothing; whoever shares Eigen
+# objects with a student's file is compiled with the same define.
+set(MUELLE_FILL_DEFINE EIGEN_INITIALIZE_MATRICES_BY_NAN)
+set(MUELLE_STUDENT_FLAGS -std=c++20 -O1 -fPIC -Wall -Wextra -D_GLIBCXX_ASSERTIONS -D${MUELLE_FILL_DEFINE})
+include(CheckCXXCompilerFlag)
+check_cxx_compiler_flag(-ftrivial-auto-var-init=pattern MUELLE_HAS_PATTERN_FILL)  # GCC 12, clang 8
+if(MUELLE_HAS_PATTERN_FILL)
+  list(APPEND MUELLE_STUDENT_FLAGS -ftrivial-auto-var-init=pattern)
+endif()
 string(JOIN " " MUELLE_STUDENT_FLAGS_TEXT ${MUELLE_STUDENT_FLAGS})

@@ -4,35 +4,98 @@
 #include "course/check/diagnostics.h"
 
 #include <sstream>
+#include <string_view>
 
 namespace muelle {
 
 namespace {
 
-std::vector<std::string> words(const std::string& text) {
+void append(std::vector<std::string>& flags, const std::vector<std::string>& more) {
+  flags.insert(flags.end(), more.begin(), more.end());
+}
+
+/// The compiler's own limits.
+std::vector<std::string> ownLimits() {
+  if (compilesWithClang()) return {"-ferror-limit=20", "-ftemplate-depth=400", "-fconstexpr-steps=10000000"};
+  return {"-fmax-errors=20", "-ftemplate-depth=400", "-fconstexpr-ops-limit=10000000"};
+}
+
+/// What the second build watches: lifetimes and bounds of memory, and the end of a function without return.
+std::vector<std::string> sanitizers() { return {"-fsanitize=address", "-fsanitize=return"}; }
+
+}  // namespace
+
+std::vector<std::string> wordsOf(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> result;
   for (std::string word; stream >> word;) result.push_back(word);
   return result;
 }
 
-}  // namespace
+bool compilesWithClang() { return std::string_view(build_paths::compilerKind).ends_with("Clang"); }
 
 std::vector<std::string> studentCompileFlags() {
-  std::vector<std::string> flags = words(build_paths::studentFlags);
-  for (const std::string& flag : diagnosticFlags()) flags.push_back(flag);
-  // The compiler's own limits, so that a template or constexpr bomb ends early with words instead of by force.
-  for (const char* flag : {"-fmax-errors=20", "-ftemplate-depth=400"}) flags.emplace_back(flag);
+  std::vector<std::string> flags = wordsOf(build_paths::studentFlags);
+  append(flags, ownLimits());
+  append(flags, diagnosticFlags());
   return flags;
 }
 
-std::vector<std::string> sanitisedCompileFlags() {
+std::vector<std::string> sanitizedCompileFlags() {
   std::vector<std::string> flags = studentCompileFlags();
-  for (const char* flag : {"-fsanitize=address", "-fsanitize=return", "-fno-omit-frame-pointer"})
-    flags.emplace_back(flag);
+  append(flags, sanitizers());
+  append(flags, {"-fno-sanitize-recover=all", "-fno-omit-frame-pointer", "-g1"});
   return flags;
 }
 
-std::vector<std::string> sanitisedLinkFlags() { return {"-fsanitize=address", "-fsanitize=return"}; }
+std::vector<std::string> checkLinkFlags(bool sanitized) {
+  std::vector<std::string> flags;
+  if (*build_paths::linkerFlag != '\0') flags.emplace_back(build_paths::linkerFlag);
+  flags.emplace_back("-pthread");
+  if (sanitized) append(flags, sanitizers());
+  return flags;
+}
+
+std::vector<std::string> symbolsCommand(const std::vector<std::string>& objects) {
+  std::vector<std::string> command{"nm", "-P"};
+  append(command, objects);
+  return command;
+}
+
+std::string responseLine(const std::string& argument) {
+  std::string line = "\"";
+  for (const char c : argument) {
+    if (c == '"' || c == '\\') line += '\\';
+    line += c;
+  }
+  return line + "\"\n";
+}
+
+std::vector<std::string> readResponse(const std::string& text) {
+  std::vector<std::string> arguments;
+  std::string argument;
+  bool inside = false;
+  char quote = '\0';
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const bool isBlank = c == ' ' || c == '\n' || c == '\t' || c == '\r';
+    if (c == '\\' && i + 1 < text.size() && quote != '\'') {
+      argument += text[++i];
+      inside = true;
+    } else if (quote != '\0' ? c == quote : c == '"' || c == '\'') {
+      quote = quote != '\0' ? '\0' : c;
+      inside = true;
+    } else if (quote == '\0' && isBlank) {
+      if (inside) arguments.push_back(argument);
+      argument.clear();
+      inside = false;
+    } else {
+      argument += c;
+      inside = true;
+    }
+  }
+  if (inside) arguments.push_back(argument);
+  return arguments;
+}
 
 }  // namespace muelle

@@ -1,26 +1,48 @@
 #pragma once
 /// \file
-/// How a student's file is compiled, in `check` and in the grader alike.
+/// How a student's file is compiled and linked, and within which limits: one place for `check` and `grade`.
 
+#include <chrono>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 namespace muelle {
 
-/// What one compilation may take.
+/// What compiling or linking one submission may cost. Processor time costs points; wall time is the machine's word.
 struct CompileLimits {
-  unsigned cpuSeconds = 20;                        ///< of processor time, all tools together
-  std::size_t memory = 2048UL * 1024 * 1024;       ///< [bytes] of address space, each tool
-  std::size_t words = 64UL * 1024;                 ///< [bytes] of diagnostics that are kept
+  std::chrono::seconds processorTime{20};  ///< of each process of the compiler; ended by SIGXCPU
+  std::chrono::seconds wall{120};          ///< wide: whoever passes it has waited, not worked
+  std::size_t memory = 2UL << 30U;         ///< address space [bytes]; macOS knows no such limit
+  std::size_t words = 64UL << 10U;         ///< kept of what the compiler says [bytes]
+  std::size_t product = 64UL << 20U;       ///< of the compiled file [bytes]
 };
-inline constexpr CompileLimits compileLimits;
 
-/// Language, optimisation, warnings, fills of uninitialised memory, the compiler's own limits, and how it words things.
+/// The words of a command line that are separated by blanks.
+std::vector<std::string> wordsOf(const std::string& text);
+
+/// Language, optimisation, warnings, the fill of uninitialised memory; the compiler's own limits, so that a template or
+/// constexpr bomb ends early with words instead of by force; and how its words are to be laid out.
 std::vector<std::string> studentCompileFlags();
 
-/// The same with AddressSanitizer and a check for missing returns, without the precompiled header: for the second look.
-std::vector<std::string> sanitisedCompileFlags();
-std::vector<std::string> sanitisedLinkFlags();
+/// The same for the second build, which a warning starts (second_look.h): AddressSanitizer, and a trap where a function
+/// ends without return. No precompiled header fits these flags.
+std::vector<std::string> sanitizedCompileFlags();
+
+/// Flags with which the checking program is linked, libraries apart. \param sanitized as of the second build
+std::vector<std::string> checkLinkFlags(bool sanitized);
+
+/// "nm -P OBJECTS": the command whose words readSymbols() understands.
+std::vector<std::string> symbolsCommand(const std::vector<std::string>& objects);
+
+/// True when the students' files are compiled by clang (Apple's too, whatever its name), which spells some flags
+/// otherwise.
+bool compilesWithClang();
+
+/// An argument as a line of a response file (@FILE) of g++ and clang++: blanks, quotes and backslashes are kept.
+std::string responseLine(const std::string& argument);
+
+/// The arguments that stand in a response file.
+std::vector<std::string> readResponse(const std::string& text);
 
 }  // namespace muelle

@@ -1,43 +1,51 @@
 #pragma once
-#include "base/process/child.h"
+/// \file
+/// Who is to blame when a student's file does not become a program.
+///
+/// The student is, when a diagnostic stands in a student's file or names a student's symbol or one of the contract.
+/// Otherwise nobody is yet: the caller builds a file that is known to be good (probe.h) in the same place, and
+/// afterProbe() decides. What only a tool's words say never decides, because a submission can make a compiler say
+/// nearly anything.
+
 #include "course/check/compile_rules.h"
 #include "course/check/diagnostics.h"
 #include "course/check/outcome.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace muelle {
 
-/// What compiler, nm and linker left of a student's files.
-struct CompileRun {
-  enum class Stage { None, Compiling, Linking, Unknown };
-  Stage failed = Stage::Unknown;  ///< which tool reported failure; Unknown: it was killed, or never ran
-  CommandResult result;           ///< err (or out, when together): the tools' words
-  std::string symbols;            ///< `nm -P` of the student's objects; "" when it did not get that far
+/// How a run of the compiler or of the linker ended.
+struct ToolRun {
+  std::string words;  ///< what it wrote, in the C locale
+  bool succeeded = false;
+  bool timedOut = false;          ///< it passed the wall limit
+  int signal = 0;                 ///< that ended the driver itself; 0: none
+  double processorSeconds = 0.0;  ///< of all its processes; 0 when unknown
 };
 
-/// Whose fault a compilation is.
+/// What a build came to.
 struct CompileVerdict {
-  Outcome outcome = Outcome::Compile;  ///< Passed, Compile, Link, Forbidden
-  std::string message;                 ///< one line
-  std::string diagnostics;             ///< errors, or warnings when it passed, cut to the student's own lines
-  /// A diagnostic stands in a student's file or names a student's symbol, or a limit of processor time, memory or size
-  /// was passed. Otherwise nobody is blamed before a second try and a probe.
-  bool isCertain = false;
-  /// A wide limit of wall time was passed: the machine's fault, however often.
-  bool isMachines = false;
-  /// A warning of undefined behaviour stands at a student's line: build once more with sanitizers.
-  bool wantsSecondLook = false;
+  Outcome outcome = Outcome::Passed;  ///< Passed: the step is done; when undecided: what it is if the probe builds
+  std::string message;                ///< one line: "it does not compile: spring_3d.cpp:5:10: ..."
+  std::string diagnostics;            ///< errors in the student's lines; when it was built, warnings in them
+  bool isDecided = true;              ///< false: build the probe, then ask afterProbe()
+  bool isOurs = false;                ///< nobody's points are at stake: the machine or the course has failed
+  bool wasKilled = false;             ///< from outside or at a wide limit: worth one more try alone
+
+  bool passed() const { return outcome == Outcome::Passed; }
 };
 
-/// \param contract the text of the contract   \param contractName its file name, for messages
-/// \param largestProduct [bytes] of what is linked; a larger one was cut (result.outCut)
-CompileVerdict judgeCompilation(const CompileRun& run, const std::vector<StudentFile>& files, std::string_view contract,
-                                std::string_view contractName, const CompileLimits& limits, std::size_t largestProduct);
+/// \param files the student's   \param limits those under which it ran, for the words of the verdict
+CompileVerdict judgeCompilation(const ToolRun& run, const std::vector<StudentFile>& files, const CompileLimits& limits);
 
-/// A known good source that includes what the student's files include of the system, the harness and the contract, and
-/// defines nothing: when it does not compile either, the machine is at fault.
-std::string probeSource(const std::vector<StudentFile>& files, std::string_view contractName);
+/// \param contract text of TOPIC.h   \param contractName "spring_3d.h"
+CompileVerdict judgeLink(const ToolRun& run, const std::vector<StudentFile>& files, std::string_view contract,
+                         std::string_view contractName, const CompileLimits& limits);
+
+/// What an undecided verdict becomes: the student's when a known good file builds in the same place, else ours.
+CompileVerdict afterProbe(CompileVerdict verdict, bool probeBuilds);
 
 }  // namespace muelle

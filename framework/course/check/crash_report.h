@@ -10,10 +10,13 @@ class EigenMisuse : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
-/// From now on a crash, an endless recursion, a call that lasts longer than 2 s, an exception that nobody catches and
-/// an early exit of this process write one line, "crash<TAB>sentence", to the report and end the process. The sentence
-/// names the student's function that ran.
+/// From now on a crash, an endless recursion, a call that takes more than 2 s of processor time (10 s all together), an
+/// exception that nobody catches and an early exit of this process write the lines "outcome<TAB>name" (outcome.h) and
+/// "crash<TAB>sentence" to the report and end the process. The sentence names the student's function that ran.
 void watchForCrashes();
+
+/// Reports that the student's function that runs has done what `sentence` says, and ends the process.
+[[noreturn]] void endWithCrash(const char* sentence);
 
 /// Writes to descriptor 3, or to standard error when the process was started without one.
 void writeReport(std::string_view text);

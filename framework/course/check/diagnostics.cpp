@@ -56,6 +56,22 @@ Location readLocation(std::string_view text) {
   return location;
 }
 
+/// "-Wuninitialized" at the end of "... [-Wuninitialized]"; "" when there is none.
+std::string_view optionOf(std::string_view message) {
+  const std::size_t open = message.rfind(" [-W");
+  if (open == std::string_view::npos || !message.ends_with(']')) return {};
+  return message.substr(open + 2, message.size() - open - 3);
+}
+
+/// Warnings of memory that is gone, was never written or is not theirs, and of a missing return.
+bool isOfMemory(std::string_view option) {
+  static constexpr std::string_view kinds[] = {"-Wreturn-type",   "-Wreturn-local-addr",   "-Wreturn-stack-address",
+                                               "-Wdangling",      "-Wuse-after-free",      "-Wfree-nonheap-object",
+                                               "-Wuninitialized", "-Wmaybe-uninitialized", "-Wsometimes-uninitialized",
+                                               "-Warray-bounds",  "-Wstringop-over"};
+  return std::ranges::any_of(kinds, [&](std::string_view kind) { return option.starts_with(kind); });
+}
+
 enum class Kind { Error, Warning, Note };
 
 struct Statement {
@@ -112,6 +128,9 @@ class Reader {
   /// The first error that stands in no line of the student's; "" when there is none.
   const std::string& foreignError() const { return foreignError_; }
 
+  /// All there is in the student's lines, in the compiler's order.
+  const std::vector<Diagnostic>& found() const { return found_; }
+
  private:
   const StudentFile* studentFile(std::string_view name) const {
     const auto found = std::ranges::find(files_, name, &StudentFile::name);
@@ -125,8 +144,15 @@ class Reader {
     } else if (has(line, "   required from here") || has(line, ":   required by substitution")) {
       const Location location = readLocation(line.substr(0, line.find(":   required")));
       if (studentFile(location.file) != nullptr) context_ = location;
+    } else if (line.starts_with("    inlined from '")) {
+      // The outermost stands last, and is the student's own where the innermost is Eigen's.
+      std::string_view place = line.substr(line.rfind("' at ") + 5);
+      while (place.ends_with(':') || place.ends_with(',')) place.remove_suffix(1);
+      const Location location = readLocation(place);
+      if (studentFile(location.file) != nullptr && !inlinedAt_) inlinedAt_ = location;
     } else if (const std::optional<Statement> statement = readStatement(line)) {
       take(*statement);
+      if (statement->kind != Kind::Note) inlinedAt_.reset();
     }
   }
 
@@ -134,7 +160,8 @@ class Reader {
     if (statement.kind == Kind::Note) return takeNote(statement);
     const bool isStudents = studentFile(statement.location.file) != nullptr;
     const bool isError = statement.kind == Kind::Error;
-    if (!isStudents && !context_) {
+    const std::optional<Location>& leads = inlinedAt_ ? inlinedAt_ : context_;
+    if (!isStudents && !leads) {
       // A warning outside of the student's file is none of theirs.
       if (isError && foreignError_.empty()) {
         foreignError_ = fmt::format("{}:{}: error: {}", statement.location.file, statement.location.line,
@@ -142,16 +169,27 @@ class Reader {
       }
       return;
     }
-    const Location place = isStudents ? statement.location : *context_;
+    const Location place = isStudents ? statement.location : *leads;
     Diagnostic diagnostic{isError,
                           std::string(place.file),
                           place.line,
                           place.column,
                           withPlainTypes(withoutExpression(statement.message)),
-                          explainMessage(statement.message, mixed_)};
+                          explainMessage(statement.message, mixed_),
+                          std::string(isError ? "" : optionOf(statement.message))};
+    if (!isStudents && inlinedAt_ && isOfMemory(diagnostic.option)) explainInlined(diagnostic);
     if (has(statement.message, "expected")) explainSemicolon(statement.message, diagnostic);
     shorten(diagnostic);
     found_.push_back(diagnostic);
+  }
+
+  /// GCC speaks of the registers into which Eigen loads; what the student has written is seldom in its words.
+  static void explainInlined(Diagnostic& diagnostic) {
+    diagnostic.message = fmt::format(
+        "this reads memory that was never written, or that belonged to a temporary value which is gone [{}]",
+        diagnostic.option);
+    diagnostic.explanation =
+        "'auto' does not keep an Eigen expression's values: write the type (double, Vec3, VecX), and give it a value";
   }
 
   /// Notes that say where the other half of a contradiction stands.
@@ -200,8 +238,9 @@ class Reader {
   }
 
   const std::vector<StudentFile>& files_;
-  std::optional<Location> context_;  ///< the student's line that led into the template at fault
-  std::vector<std::string> mixed_;   ///< the plain types in the name of that template
+  std::optional<Location> context_;    ///< the student's line that led into the template at fault
+  std::optional<Location> inlinedAt_;  ///< the student's line into which the function at fault was inlined
+  std::vector<std::string> mixed_;     ///< the plain types in the name of that template
   std::vector<Diagnostic> found_;
   std::string foreignError_;
 };
@@ -236,6 +275,12 @@ std::vector<Diagnostic> parseDiagnostics(std::string_view compilerText, const st
   Reader reader(files);
   reader.read(compilerText);
   return reader.result();
+}
+
+bool wantsSecondLook(std::string_view compilerText, const std::vector<StudentFile>& files) {
+  Reader reader(files);
+  reader.read(compilerText);
+  return std::ranges::any_of(reader.found(), [](const Diagnostic& d) { return isOfMemory(d.option); });
 }
 
 std::string showDiagnostics(const std::vector<Diagnostic>& diagnostics, const std::vector<StudentFile>& files,

@@ -19,6 +19,7 @@ struct Diagnostic {
   int column = 0;           ///< in bytes from 1; 0 when unknown
   std::string message;      ///< the compiler's, with the types under the course's names
   std::string explanation;  ///< what it means and what to do; "" when the message says it
+  std::string option;       ///< that switches the warning: "-Wuninitialized"; "" for an error
 };
 
 /// Compiler options whose words parseDiagnostics() reads best; it copes with others. LC_ALL=C is assumed.
@@ -35,6 +36,14 @@ std::string showDiagnostics(const std::vector<Diagnostic>& diagnostics, const st
 
 /// parseDiagnostics() and showDiagnostics(). When nothing stands in the student's lines, the first error there is.
 std::string cutDiagnostics(std::string_view compilerText, const std::vector<StudentFile>& files);
+
+/// Whether a warning in the student's lines tells of memory that is gone, was never written or is not theirs, or of a
+/// missing return: reason to build once more with sanitizers, since a warning alone costs nothing.
+bool wantsSecondLook(std::string_view compilerText, const std::vector<StudentFile>& files);
+
+/// The functions and variables that the linker's complaints are about, each once and without namespace, class,
+/// arguments: {"springForce", "main"}.
+std::vector<std::string> linkedNames(std::string_view linkerText);
 
 /// What the linker's complaints mean: a function of the contract that is missing, misspelt or of another signature, a
 /// function declared and never written, a second main.

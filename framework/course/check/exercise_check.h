@@ -1,4 +1,5 @@
 #pragma once
+#include "course/check/outcome.h"
 #include "course/check/student_program.h"
 #include "course/manifest.h"
 #include "course/testing/mismatch.h"
@@ -16,6 +17,7 @@ struct FailedTest {
   std::string call;                   ///< the call, to paste: "springForce(1, 0, 10, 1)"; "" when none was made
   std::vector<Mismatch> mismatches;   ///< the numbers that were off
   std::vector<std::string> messages;  ///< what else went wrong: an exception, what the crash was
+  Outcome outcome = Outcome::Wrong;
 };
 
 /// What the public tests say about a program.
@@ -25,11 +27,16 @@ struct TestReport {
   std::vector<FailedTest> failures;  ///< in the order of the tests
   std::string crash;   ///< why the program ended early; "" when it did not. The rest of the tests did not run
   std::string output;  ///< what the student's code printed; untrusted text
+  Outcome outcome = Outcome::Wrong;  ///< of the first failure, or of the crash that let no test begin
 
   bool allPassed() const { return crash.empty() && failures.empty() && total > 0 && passed == total; }
 };
 
-/// Runs the public tests of a built program.
+/// The class to which a check belongs, as `grade` would sort it on the same inputs: that of the build when it failed.
+Outcome checkOutcome(const StudentProgram& program, const TestReport& report);
+
+/// Runs the public tests of a built program; and of its sanitised build, when there is one, of which only what it
+/// confirms counts. Throws std::runtime_error when the machine is too busy for a verdict.
 TestReport runPublicTests(const StudentProgram& program);
 
 /// What the demo left.

@@ -119,7 +119,29 @@ std::string explainMissing(const std::string& name, const std::vector<StudentFil
   return text;
 }
 
+/// "springForce" of "muelle::springForce(Eigen::Matrix<...> const&)".
+std::string simpleName(std::string_view symbol) {
+  if (const std::string member = eigenMember(symbol); !member.empty()) return member;
+  const std::string_view name = symbol.substr(0, symbol.find('('));
+  const std::size_t last = name.find_last_of(":. ");
+  return std::string(last == std::string_view::npos ? name : name.substr(last + 1));
+}
+
 }  // namespace
+
+std::vector<std::string> linkedNames(std::string_view linkerText) {
+  std::vector<std::string> names;
+  for (const std::string_view key :
+       {"undefined symbol: ", "undefined reference to ", "multiple definition of ", "duplicate symbol: "}) {
+    for (const std::string& subject : subjects(linkerText, key)) {
+      // mold: "duplicate symbol: a.o: b.o: main"
+      const std::size_t last = subject.rfind(".o: ");
+      const std::string name = simpleName(last == std::string::npos ? subject : subject.substr(last + 4));
+      if (!name.empty() && std::ranges::find(names, name) == names.end()) names.push_back(name);
+    }
+  }
+  return names;
+}
 
 std::string explainLinkErrors(std::string_view linkerText, const std::vector<StudentFile>& files,
                               std::string_view contract, std::string_view contractName) {
@@ -130,7 +152,7 @@ std::string explainLinkErrors(std::string_view linkerText, const std::vector<Stu
       const std::string name = last == std::string::npos ? subject : subject.substr(last + 2);
       text +=
           name == "main"
-              ? "your file defines main: leave it out, the checking program has its own\n"
+              ? "your file defines main: leave it out\n"
               : fmt::format("{} is defined twice: once in your file, once in the checking program; rename it\n", name);
     }
   }

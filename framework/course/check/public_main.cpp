@@ -8,9 +8,12 @@
 
 #include "course/check/crash_report.h"
 #include "course/check/eigen_message.h"
+#include "course/check/outcome.h"
 #include "course/check/report_line.h"
+#include "course/check/standard_message.h"
 #include "course/testing/call_record.h"
 #include "course/testing/mismatch_text.h"
+#include "course/testing/never_written.h"
 #include "figures/write.h"
 #include "harness/demo.h"
 
@@ -18,6 +21,9 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace muelle {
 
@@ -36,16 +42,27 @@ class ReportingListener : public testing::EmptyTestEventListener {
   }
   void OnTestStart(const testing::TestInfo& test) override {
     CallRecord::setLastCall("");
+    CallRecord::neverWritten().clear();
+    lastMisuse().clear();
     report("test", std::string(test.test_suite_name()) + "." + test.name());
   }
   void OnTestPartResult(const testing::TestPartResult& part) override {
     if (!part.failed()) return;
     report("call", CallRecord::lastCall());
+    // Before any other name: what the numbers look like is luck.
+    if (std::string& function = CallRecord::neverWritten(); !function.empty()) {
+      report("outcome", nameOf(Outcome::NeverWritten));
+      report("failure", function + " " + neverWrittenSentence());
+      function.clear();
+    } else if (!lastMisuse().empty()) {
+      report("outcome", nameOf(misuseOfFill() ? Outcome::NeverWritten : Outcome::Crash));
+    }
     if (std::optional<Mismatch> mismatch = takeMismatch(part.message())) {
       mismatch->call = CallRecord::lastCall();
       return report("mismatch", mismatchText(*mismatch));
     }
     report("failure", withoutExceptionPhrase(part.message()));
+    lastMisuse().clear();
   }
   void OnTestEnd(const testing::TestInfo& test) override {
     const testing::TestResult& result = *test.result();
@@ -75,6 +92,11 @@ class ReportingListener : public testing::EmptyTestEventListener {
   static std::string& lastMisuse() {
     static std::string text;
     return text;
+  }
+  /// Whether it was an index that was never written.
+  static bool& misuseOfFill() {
+    static bool isFill = false;
+    return isFill;
   }
 };
 
@@ -107,14 +129,31 @@ int drawDemo(const std::string& folder) {
 void eigenAssertionFailed(const char* condition, const char* function, AssertedIndex index) {
   // While an exception is on its way, destructors of Eigen assert what they then find; the first cause is what counts.
   if (std::uncaught_exceptions() == 0) {
-    ReportingListener::lastMisuse() = eigenMessage(condition, function, index, place());
+    ReportingListener::misuseOfFill() = index.known && isFillInteger(index.value);
+    ReportingListener::lastMisuse() =
+        ReportingListener::misuseOfFill()
+            ? "an index was never written in " + place() + ": give every variable a value before it is read"
+            : eigenMessage(condition, function, index, place());
   }
   throw EigenMisuse(ReportingListener::lastMisuse());
 }
 
 }  // namespace muelle
 
+#ifdef __GLIBCXX__
+/// GNU's standard library calls it when one of its own rules is broken, and has one that only prints and aborts.
+namespace std {
+void __glibcxx_assert_fail(const char*, int, const char* function, const char* condition) noexcept {
+  muelle::endWithCrash(
+      muelle::standardMessage(condition != nullptr ? condition : "", function != nullptr ? function : "").c_str());
+}
+}  // namespace std
+#endif
+
 int main(int argc, char** argv) {
+#ifdef __GLIBC__
+  mallopt(M_PERTURB, 1);  // fresh memory is filled with 0xFE, as GCC fills local variables
+#endif
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // a crash must not swallow what was printed before it
   muelle::watchForCrashes();
   const bool drawsDemo = argc == 3 && std::string(argv[1]) == "demo";

@@ -3,11 +3,15 @@
 #include "base/build_paths.h"
 #include "base/file.h"
 #include "base/process/child.h"
-#include "course/check/diagnostics.h"
+#include "base/text/printable.h"
+#include "course/check/compile_rules.h"
+#include "course/check/compile_verdict.h"
+#include "course/check/probe.h"
+#include "course/check/symbols.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <functional>
-#include <sstream>
 #include <stdexcept>
 
 namespace muelle {
@@ -16,27 +20,26 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::chrono::seconds compileTime{60};
-
 /// The compiler as driver of itself or of the linker, in the C locale: its words are read.
-CommandResult runTool(const std::vector<std::string>& command) {
+ToolRun runTool(const std::vector<std::string>& command, const CompileLimits& limits) {
   ChildSpec spec;
   spec.command = command;
   spec.inheritsEnvironment = true;
   spec.environment = {"LC_ALL=C"};
-  return runCommand(spec, {compileTime, 1U << 20U, 0, 0, true});
-}
-
-std::vector<std::string> words(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> result;
-  for (std::string word; stream >> word;) result.push_back(word);
-  return result;
+  spec.limits.cpuSeconds = static_cast<unsigned>(limits.processorTime.count());
+  spec.limits.fileSize = limits.product;
+#ifndef __APPLE__
+  spec.limits.addressSpace = limits.memory;
+#endif
+  const CommandResult result = runCommand(spec, {limits.wall, limits.words, 0, 0, true});
+  const ExitStatus& status = result.status;
+  return {result.out, !result.timedOut && status.success(), result.timedOut, status.signalled ? status.code : 0,
+          status.cpuSeconds};
 }
 
 /// One line for each file that the program is made of: any change changes the text.
 std::string fingerprintOf(const std::vector<fs::path>& files) {
-  std::string text = fmt::format("{} {}\n", build_paths::compiler, build_paths::studentFlags);
+  std::string text = fmt::format("{} {}\n", build_paths::compiler, fmt::join(studentCompileFlags(), " "));
   for (const fs::path& file : files) {
     std::error_code error;
     const auto size = fs::file_size(file, error);
@@ -71,72 +74,135 @@ class Builder {
 
   StudentProgram build() {
     StudentProgram program;
+    program.students = students_;
     program.fingerprint = fingerprintOf(inputs());
-    const fs::path executable = slot_ / "program";
     const fs::path stamp = slot_ / "stamp";
-    const fs::path warnings = slot_ / "warnings";
-    if (fs::exists(stamp) && readFile(stamp) == program.fingerprint) {
-      program.executable = executable;
-      program.diagnostics = readFile(warnings);
-      return program;
-    }
+    if (fs::exists(stamp) && readFile(stamp) == program.fingerprint) return kept(program);
     const TemporaryFolder scratch(slot_);
     std::vector<std::string> objects;
     for (const fs::path& source : sources_) {
       objects.push_back((scratch.path() / source.stem()).string() + ".o");
-      if (!compile(source, objects.back(), program)) return program;
+      const CompileVerdict verdict = decided(scratch.path(), [&] { return compile(source, objects.back()); });
+      program.diagnostics += verdict.diagnostics;
+      if (!take(verdict, program)) return program;
     }
     const fs::path fresh = scratch.path() / "program";
-    if (!link(objects, fresh, program)) return program;
+    if (!judgeObjects(objects, program)) return program;
+    const std::string warnings = program.diagnostics;
+    const CompileVerdict linked = decided(scratch.path(), [&] { return link(objects, fresh, false); });
+    if (!linked.passed()) program.diagnostics = linked.diagnostics;
+    if (!take(linked, program)) return program;
+    const bool looksTwice = wantsSecondLook_ && buildSanitized(scratch.path());
     // The stamp last: whoever reads it finds the program and the warnings that belong to it.
     fs::remove(stamp);
-    fs::rename(fresh, executable);
-    writeFile(warnings, program.diagnostics);
+    fs::remove(slot_ / "sanitized");
+    fs::rename(fresh, slot_ / "program");
+    if (looksTwice) fs::rename(scratch.path() / "sanitized", slot_ / "sanitized");
+    writeFile(slot_ / "warnings", warnings);
     writeFile(stamp, program.fingerprint);
-    program.executable = executable;
-    return program;
+    return kept(program);
   }
 
  private:
+  /// What stands in the slot.
+  StudentProgram kept(StudentProgram program) const {
+    program.executable = slot_ / "program";
+    program.diagnostics = readFile(slot_ / "warnings");
+    if (fs::exists(slot_ / "sanitized")) program.sanitized = slot_ / "sanitized";
+    return program;
+  }
+
+  /// True when the step is done; else its reason goes into the program.
+  static bool take(const CompileVerdict& verdict, StudentProgram& program) {
+    program.outcome = verdict.outcome;
+    program.message = verdict.message;
+    return verdict.passed();
+  }
+
+  /// What was killed is tried once more; what no word decides is decided by a file that is known to be good.
+  /// Throws std::runtime_error when the machine is to blame.
+  template <class Step>
+  CompileVerdict decided(const fs::path& scratch, const Step& step) const {
+    CompileVerdict verdict = step();
+    if (!verdict.isDecided && verdict.wasKilled) verdict = step();
+    if (!verdict.isDecided) verdict = afterProbe(verdict, probeBuilds(scratch));
+    if (verdict.isOurs) {
+      throw std::runtime_error(fmt::format("{}; nothing is wrong with your file so far\n{}", verdict.message,
+                                           cutText(verdict.diagnostics, 3, 500)));
+    }
+    return verdict;
+  }
+
+  bool probeBuilds(const fs::path& scratch) const {
+    const fs::path source = scratch / "probe.cpp";
+    const std::string object = (scratch / "probe.o").string();
+    writeFile(source, probeSource(students_, contract_.filename().string()));
+    if (!runTool(compileCommand(source, object, false), limits_).succeeded) return false;
+    std::vector<std::string> command{build_paths::compiler, "-shared", object, "-o", (scratch / "probe.so").string()};
+    for (const std::string& flag : checkLinkFlags(false)) command.push_back(flag);
+    return runTool(command, limits_).succeeded;
+  }
+
   std::vector<fs::path> inputs() const {
     std::vector<fs::path> files = sources_;
     files.push_back(contract_);
     files.push_back(fs::path(build_paths::prelude) / "prelude.h.gch");
     files.push_back(parts_);
-    for (const std::string& word : words(readFile(parts_))) {
+    for (const std::string& word : readResponse(readFile(parts_))) {
       if (!word.starts_with("-")) files.emplace_back(word);
     }
     return files;
   }
 
-  bool compile(const fs::path& source, const std::string& object, StudentProgram& program) const {
+  /// \param sanitized the second build, whose flags fit no precompiled header
+  std::vector<std::string> compileCommand(const fs::path& source, const std::string& object, bool sanitized) const {
     std::vector<std::string> command{build_paths::compiler};
-    for (const std::string& flag : words(build_paths::studentFlags)) command.push_back(flag);
-    for (const std::string& flag : diagnosticFlags()) command.push_back(flag);
+    for (const std::string& flag : sanitized ? sanitizedCompileFlags() : studentCompileFlags()) command.push_back(flag);
     const std::string framework = (fs::path(build_paths::source) / "framework").string();
-    for (const std::string& word :
-         {std::string("-I"), std::string(build_paths::prelude), std::string("-include"), std::string("prelude.h"),
-          std::string("-I"), framework, std::string("-isystem"), std::string(build_paths::eigen), std::string("-I"),
-          contract_.parent_path().string(), std::string("-c"), source.string(), std::string("-o"), object}) {
-      command.push_back(word);
+    if (sanitized) {
+      command.insert(command.end(), {"-I", framework, "-include", "harness/exercise.h"});
+    } else {
+      command.insert(command.end(), {"-I", build_paths::prelude, "-include", "prelude.h", "-I", framework});
     }
-    const CommandResult result = runTool(command);
-    program.diagnostics += cutDiagnostics(result.out, students_);
-    if (result.timedOut)
-      program.diagnostics += fmt::format("the compiler did not end within {} s\n", compileTime.count());
-    return result.status.success();
+    command.insert(command.end(), {"-isystem", build_paths::eigen, "-I", contract_.parent_path().string(), "-c",
+                                   source.string(), "-o", object});
+    return command;
   }
 
-  bool link(const std::vector<std::string>& objects, const fs::path& executable, StudentProgram& program) const {
+  CompileVerdict compile(const fs::path& source, const std::string& object) {
+    const ToolRun run = runTool(compileCommand(source, object, false), limits_);
+    if (run.succeeded && wantsSecondLook(run.words, students_)) wantsSecondLook_ = true;
+    return judgeCompilation(run, students_, limits_);
+  }
+
+  /// Without nm, which every compiler's package has, nothing is judged: the linker finds main twice.
+  bool judgeObjects(const std::vector<std::string>& objects, StudentProgram& program) const {
+    const ToolRun run = runTool(symbolsCommand(objects), {.words = 1U << 20U});
+    const SymbolVerdict verdict = judgeSymbols(readSymbols(run.words));
+    if (verdict.outcome == Outcome::Passed) return true;
+    program.outcome = verdict.outcome;
+    program.message = verdict.message;
+    program.diagnostics += verdict.message + "\n";
+    return false;
+  }
+
+  CompileVerdict link(const std::vector<std::string>& objects, const fs::path& executable, bool sanitized) const {
     std::vector<std::string> command{build_paths::compiler};
     for (const std::string& object : objects) command.push_back(object);
     command.push_back("@" + parts_.string());
-    if (*build_paths::linkerFlag != '\0') command.emplace_back(build_paths::linkerFlag);
-    command.insert(command.end(), {"-pthread", "-o", executable.string()});
-    const CommandResult result = runTool(command);
-    if (result.status.success()) return true;
-    program.diagnostics = explainLinkErrors(result.out, students_, readFile(contract_), contract_.filename().string());
-    return false;
+    for (const std::string& flag : checkLinkFlags(sanitized)) command.push_back(flag);
+    command.insert(command.end(), {"-o", executable.string()});
+    return judgeLink(runTool(command, limits_), students_, readFile(contract_), contract_.filename().string(), limits_);
+  }
+
+  /// False when it does not come about, which costs nobody anything: the sanitizers' libraries may be missing.
+  bool buildSanitized(const fs::path& scratch) const {
+    std::vector<std::string> objects;
+    for (const fs::path& source : sources_) {
+      objects.push_back((scratch / source.stem()).string() + "_sanitized.o");
+      if (!runTool(compileCommand(source, objects.back(), true), limits_).succeeded) return false;
+    }
+    return link(objects, scratch / "sanitized", true).passed();
   }
 
   std::string topic_;
@@ -146,6 +212,8 @@ class Builder {
   fs::path contract_;
   fs::path parts_;
   fs::path slot_;
+  CompileLimits limits_;
+  bool wantsSecondLook_ = false;
 };
 
 }  // namespace

@@ -26,6 +26,11 @@ long& CallRecord::count() {
 const std::string& CallRecord::lastCall() { return lastCallText(); }
 void CallRecord::setLastCall(std::string call) { lastCallText() = std::move(call); }
 
+std::string& CallRecord::neverWritten() {
+  static std::string function;
+  return function;
+}
+
 bool& CallRecord::printsArguments() {
   static bool prints = true;
   return prints;

@@ -32,6 +32,8 @@ class CallRecord {
   /// The text of the latest call made while arguments were printed, or "".
   static const std::string& lastCall();
   static void setLastCall(std::string call);
+  /// Name of the first function that returned memory to which nothing was written, since this was last cleared, or "".
+  static std::string& neverWritten();
   /// Whether calls print their arguments; true unless a demo runs.
   static bool& printsArguments();
 

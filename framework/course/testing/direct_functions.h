@@ -4,9 +4,11 @@
 /// remembers the call, so that a failure can print it as a line to paste and a crash can name it.
 
 #include "course/testing/call_record.h"
+#include "course/testing/never_written.h"
 #include "course/testing/struct_fields.h"
 #include "harness/for_each.h"
 
+#include <type_traits>
 #include <utility>
 
 namespace muelle {
@@ -22,10 +24,30 @@ class DirectFunction<Result(Args...)> {
 
   Result operator()(Args... args) const {
     const CallRecord record(name_, args...);
-    return function_(std::forward<Args>(args)...);
+    // What comes in with such bits may go out with them.
+    const bool mayJudge = CallRecord::printsArguments() && !(holdsFill(args) || ...);
+    if constexpr (std::is_void_v<Result>) {
+      function_(std::forward<Args>(args)...);
+      if (mayJudge && (isFilledOutput<Args>(args) || ...)) note();
+    } else {
+      Result result = function_(std::forward<Args>(args)...);
+      if (mayJudge && (holdsFill(result) || (isFilledOutput<Args>(args) || ...))) note();
+      return result;
+    }
   }
 
  private:
+  /// An argument that the function writes to holds what nobody has written.
+  template <class Arg>
+  static bool isFilledOutput(const std::remove_reference_t<Arg>& arg) {
+    constexpr bool isOutput = std::is_lvalue_reference_v<Arg> && !std::is_const_v<std::remove_reference_t<Arg>>;
+    if constexpr (isOutput) return holdsFill(arg);
+    return false;
+  }
+  void note() const {
+    if (CallRecord::neverWritten().empty()) CallRecord::neverWritten() = name_;
+  }
+
   const char* name_;
   Result (*function_)(Args...);
 };

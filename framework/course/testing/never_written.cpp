@@ -7,12 +7,25 @@
 namespace muelle {
 
 bool isFill(double value) {
-  constexpr std::uint64_t eigensNaN = 0x7FF8000000000000;  // 0.0 / 0.0 has the sign bit set on the machines we know
-  constexpr std::uint64_t clangsNaN = 0xFFFFFFFFFFFFFFFF;
-  constexpr double beyondPhysics = 1e290;
   const auto bits = std::bit_cast<std::uint64_t>(value);
-  if (bits == eigensNaN || bits == clangsNaN) return true;
-  return std::isfinite(value) && std::abs(value) > beyondPhysics;
+  constexpr std::uint64_t magnitude = ~std::uint64_t{0} >> 1U;
+  constexpr std::uint64_t eigens = 0x7FF8000000000000U;   // the quiet NaN; what 0/0 gives on x86 has the sign bit
+  constexpr std::uint64_t clangs = magnitude;             // all bits set, the sign aside, which a minus turns
+  constexpr std::uint64_t bytesAA = 0xAAAAAAAAAAAAAAAAU;  // clang's, where the memory was no floating-point variable
+  if (bits == eigens || (bits & magnitude) == clangs || bits == bytesAA) return true;
+  // GCC's pattern and the heap's are bytes 0xFE: -5.3e303 as a number. No quantity of the course comes near it, and
+  // multiplying or dividing by one that does not exceed 1e13 leaves it above this limit.
+  constexpr double limit = 1e290;
+  return std::isfinite(value) && std::abs(value) > limit;
+}
+
+bool isFillInteger(long value) {
+  const auto low = static_cast<std::uint32_t>(static_cast<std::uint64_t>(value));
+  return low == 0xFEFEFEFEU || low == 0xAAAAAAAAU;
+}
+
+const char* neverWrittenSentence() {
+  return "returned memory to which nothing was written: give every variable a value before it is read";
 }
 
 }  // namespace muelle

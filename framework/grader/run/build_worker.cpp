@@ -2,6 +2,8 @@
 
 #include "base/file.h"
 #include "course/check/compile_verdict.h"
+#include "course/check/probe.h"
+#include "course/check/symbols.h"
 #include "grader/run/compile.h"
 
 #include <fmt/format.h>
@@ -42,43 +44,56 @@ class Builder {
       if (const auto kept = this->kept()) return {*kept, false, false};
     }
     const Compilation compilation = compile(workplace_, manifest_, sources_, sandbox_);
-    const CompileVerdict verdict = verdictOn(compilation, sources_);
-    if (verdict.outcome == Outcome::Passed) return {keep(compilation, verdict), false, true};
-    if (verdict.isCertain) return {refuse(verdict), false, true};
+    const CompileVerdict verdict = verdictOn(compilation);
+    if (verdict.passed()) return {keep(compilation, verdict), false, true};
+    if (verdict.isDecided) return {refuse(verdict), false, true};
     if (!isLastTry) return {ours(verdict.message), true, true};
-    // The machine's fault, unless a known good file compiles where this one has died twice.
-    const std::string broken = whyTheProbeFails();
-    if (!broken.empty() || verdict.isMachines) {
-      return {ours(broken.empty() ? verdict.message : verdict.message + "; " + broken), false, true};
-    }
-    return {refuse(verdict), false, true};
+    // The machine's fault, unless a known good file compiles where this one has failed twice.
+    const CompileVerdict final = afterProbe(verdict, probeBuilds());
+    return {final.isOurs ? ours(final.message) : refuse(final), false, true};
   }
 
  private:
-  CompileVerdict verdictOn(const Compilation& compilation, const Sources& sources) const {
-    const fs::path contract = workplace_.contract(manifest_.topic);
-    CompileRun run;
-    run.failed = compilation.stage == Compilation::Stage::Done        ? CompileRun::Stage::None
-                 : compilation.stage == Compilation::Stage::Compiling ? CompileRun::Stage::Compiling
-                 : compilation.stage == Compilation::Stage::Linking   ? CompileRun::Stage::Linking
-                                                                      : CompileRun::Stage::Unknown;
-    run.result = compilation.run;
-    run.symbols = compilation.symbols;
-    return judgeCompilation(run, studentFiles(sources), readFile(contract), contract.filename().string(),
-                            workplace_.limits, workplace_.largestProduct);
+  static ToolRun toolRun(const CommandResult& result, bool succeeded) {
+    constexpr int signalled = 128;  // a shell and bubblewrap pass a signal on as 128 + signal
+    ToolRun run;
+    run.words = result.err;
+    run.succeeded = succeeded;
+    run.timedOut = result.timedOut;
+    run.processorSeconds = result.status.cpuSeconds;
+    if (result.status.signalled) run.signal = result.status.code;
+    if (!result.status.signalled && result.status.code > signalled) run.signal = result.status.code - signalled;
+    return run;
   }
 
-  /// "" when a known good file with the same includes compiles here and now.
-  std::string whyTheProbeFails() const {
-    const Sources probe{{manifest_.files.front(), probeSource(studentFiles(sources_), manifest_.topic + ".h")}};
-    const Compilation compilation = compile(workplace_, manifest_, probe, sandbox_);
-    // It defines no function of the contract: to get as far as the linker's complaint about that is good.
-    if (compilation.stage == Compilation::Stage::Done || compilation.stage == Compilation::Stage::Linking) {
-      const CompileVerdict verdict = verdictOn(compilation, probe);
-      if (verdict.outcome == Outcome::Passed || (verdict.isCertain && verdict.outcome == Outcome::Link)) return "";
-      return verdict.message;
+  /// The compiler's word, then that of the symbols, then the linker's.
+  CompileVerdict verdictOn(const Compilation& compilation) const {
+    using Stage = Compilation::Stage;
+    const std::vector<StudentFile> files = studentFiles(sources_);
+    const bool compiled = compilation.stage == Stage::Linking || compilation.stage == Stage::Done;
+    CompileVerdict verdict = judgeCompilation(toolRun(compilation.run, compiled), files, workplace_.limits);
+    if (!compiled) return verdict;
+    const SymbolVerdict symbols = judgeSymbols(readSymbols(compilation.symbols));
+    if (symbols.outcome != Outcome::Passed) {
+      verdict.outcome = symbols.outcome;
+      verdict.message = symbols.message;
+      return verdict;
     }
-    return "a known good file does not compile either: " + compilation.run.err.substr(0, 300);
+    const fs::path contract = workplace_.contract(manifest_.topic);
+    if (compilation.stage == Stage::Linking) {
+      return judgeLink(toolRun(compilation.run, false), files, readFile(contract), contract.filename().string(),
+                       workplace_.limits);
+    }
+    if (compilation.run.outCut) {
+      verdict.outcome = Outcome::Compile;
+      verdict.message = fmt::format("the compiled file is larger than {} MiB", workplace_.limits.product >> 20U);
+    }
+    return verdict;
+  }
+
+  bool probeBuilds() const {
+    const Sources probe{{manifest_.files.front(), probeSource(studentFiles(sources_), manifest_.topic + ".h")}};
+    return compile(workplace_, manifest_, probe, sandbox_, Build::Probe).stage == Compilation::Stage::Done;
   }
 
   std::optional<BuiltObject> kept() const {
@@ -114,7 +129,7 @@ class Builder {
     object.outcome = {Status::Built, "", verdict.diagnostics, Outcome::Passed};
     store_.write(key_, objectSuffix, compilation.run.out);
     object.plain = store_.file(key_, objectSuffix);
-    if (verdict.wantsSecondLook) {
+    if (wantsSecondLook(compilation.run.err, studentFiles(sources_))) {
       const Compilation second = compile(workplace_, manifest_, sources_, sandbox_, Build::Sanitised);
       if (second.stage != Compilation::Stage::Done) {
         return ours("the build with sanitizers failed: " + second.run.err.substr(0, 300));

@@ -23,6 +23,13 @@ constexpr const char* linkFlags = "-shared -Wl,-Bsymbolic,-z,defs,-z,now,-z,noex
 /// Exit statuses of the script: which of its commands failed.
 constexpr int compileFailed = 10;
 constexpr int linkFailed = 11;
+constexpr int symbolsFailed = 12;
+
+/// A compiler that the sandbox does not have under its own name is handed over as a file.
+bool isOfTheSystem(const fs::path& program) { return program.string().starts_with("/usr/"); }
+std::string insideOf(const fs::path& compiler) {
+  return isOfTheSystem(compiler) ? compiler.string() : "../tools/" + compiler.filename().string();
+}
 
 std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
 
@@ -41,7 +48,10 @@ Confinement confinementOf(const Workplace& workplace, const Manifest& manifest, 
   for (const auto& [name, content] : sources) {
     confinement.files.push_back({"/submission/" + name, {}, content, false});
   }
-  if (build == Build::Plain) addPrelude(workplace, confinement);  // made with the plain flags
+  if (build != Build::Sanitised) addPrelude(workplace, confinement);  // made with the plain flags
+  if (!isOfTheSystem(workplace.compiler)) {
+    confinement.files.push_back({"/tools/" + workplace.compiler.filename().string(), workplace.compiler, "", true});
+  }
   confinement.command = {"/usr/bin/sh", "-c", compileScript(workplace, sources, build)};
   confinement.systemFolders = {"/usr/bin", "/usr/lib", "/usr/include"};
   if (fs::exists("/usr/lib64")) confinement.systemFolders.emplace_back("/usr/lib64");
@@ -49,7 +59,7 @@ Confinement confinementOf(const Workplace& workplace, const Manifest& manifest, 
   confinement.scratchBytes = scratchBytes;
   confinement.limits.addressSpace = workplace.limits.memory;
   confinement.limits.fileSize = scratchBytes;
-  confinement.limits.cpuSeconds = workplace.limits.cpuSeconds;
+  confinement.limits.cpuSeconds = static_cast<unsigned>(workplace.limits.processorTime.count());
   return confinement;
 }
 
@@ -86,16 +96,17 @@ std::vector<VisibleFile> compilersView(const Workplace& workplace, const Manifes
 std::string compileScript(const Workplace& workplace, const Sources& sources, Build build) {
   std::string files;
   for (const auto& [name, content] : sources) files += " ../submission/" + name;
-  const bool isPlain = build == Build::Plain;
-  const std::string compiler = workplace.compiler.string();
+  const bool isSanitised = build == Build::Sanitised;
+  const std::string compiler = insideOf(workplace.compiler);
   return fmt::format(
-      "cd tmp && {0} {1} {2}-I../contract -I../framework -isystem ../eigen -c{3} || exit {4}\n"
-      "nm -P *.o >&3 || exit 12\n"
-      "{0} {5} {6} {7} *.o -Wl,--whole-archive ../glue.a -Wl,--no-whole-archive -o submission.so || exit {8}\n"
+      "cd tmp && {0} {1} {2} -I../contract -I../framework -isystem ../eigen -c{3} || exit {4}\n"
+      "nm -P *.o >&3 || exit {5}\n"
+      "{0} {6} {7} *.o {8} -o submission.so || exit {9}\n"
       "cat submission.so\n",
-      compiler, joined(isPlain ? studentCompileFlags() : sanitisedCompileFlags()),
-      isPlain ? "-I../prelude -include prelude.h " : "", files, compileFailed, linkFlags, build_paths::linkerFlag,
-      isPlain ? "" : joined(sanitisedLinkFlags()), linkFailed);
+      compiler, joined(isSanitised ? sanitizedCompileFlags() : studentCompileFlags()),
+      isSanitised ? "" : "-I../prelude -include prelude.h", files, compileFailed, symbolsFailed, linkFlags,
+      joined(checkLinkFlags(isSanitised)),
+      build == Build::Probe ? "" : "-Wl,--whole-archive ../glue.a -Wl,--no-whole-archive", linkFailed);
 }
 
 std::string compilerIdentity(const Workplace& workplace) {
@@ -111,8 +122,8 @@ Compilation compile(const Workplace& workplace, const Manifest& manifest, const 
                     const Sandbox& sandbox, Build build) {
   Compilation compilation;
   Capture capture;
-  capture.limit = workplace.compileWall;
-  capture.outBytes = workplace.largestProduct;
+  capture.limit = workplace.limits.wall;
+  capture.outBytes = workplace.limits.product;
   capture.errBytes = workplace.limits.words;
   capture.reportBytes = symbolBytes;
   compilation.run = sandbox.run(confinementOf(workplace, manifest, sources, build), capture);

@@ -19,6 +19,7 @@ struct Compilation {
 /// Which build of a student's files.
 enum class Build {
   Plain,
+  Probe,      ///< a known good file that defines no function of the contract: linked without the glue
   Sanitised,  ///< with AddressSanitizer and a check for missing returns: for the second look
 };
 

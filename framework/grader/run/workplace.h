@@ -16,10 +16,8 @@ struct Workplace {
   std::filesystem::path compiler;  ///< for the students' files
   std::filesystem::path host;      ///< the program that loads a student's code
   std::filesystem::path sanitisedHost;
-  CompileLimits limits = compileLimits;
-  std::size_t largestProduct = 32UL * 1024 * 1024;  ///< [bytes] of a compiled hand-in
-  /// Wide: passing it is the machine's fault, never the student's.
-  std::chrono::milliseconds compileWall{std::chrono::minutes(2)};
+  CompileLimits limits;
+  /// Wide limits of wall time: passing one is the machine's fault, never the student's.
   std::chrono::milliseconds criterionWall{std::chrono::minutes(5)};
   std::chrono::milliseconds callWall{std::chrono::seconds(30)};
 

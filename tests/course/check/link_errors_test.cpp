@@ -63,7 +63,7 @@ TEST(LinkErrors, AFunctionOfAnotherHeaderOfEigenIsNamed) {
 }
 
 TEST(LinkErrors, MainIsForTheCheckingProgram) {
-  const std::string message = "your file defines main: leave it out, the checking program has its own\n";
+  const std::string message = "your file defines main: leave it out\n";
   EXPECT_EQ(explain("mold: error: duplicate symbol: a.o: b.o: main\n", ""), message);
   EXPECT_EQ(
       explain(

@@ -43,10 +43,10 @@ TEST_F(Fault, ACompilerThatIsKilledOnceIsTriedAgainAtOnce) {
 TEST_F(Fault, ACompilerThatIsStoppedPastItsWallLimit) {
   expectOurs(
       [this] {
-        workplace_.compileWall = std::chrono::milliseconds(1500);
+        workplace_.limits.wall = std::chrono::seconds(2);
         return std::make_unique<Hunter>("cc1plus", SIGSTOP);
       },
-      [this] { workplace_.compileWall = Workplace::ofThisBuild().compileWall; });
+      [this] { workplace_.limits = CompileLimits(); });
 }
 
 TEST_F(Fault, AWorkerThatIsKilled) {

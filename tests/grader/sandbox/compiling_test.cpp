@@ -73,7 +73,7 @@ TEST_F(Compiling, EmbedsNoFileOfTheMachine) {
 }
 
 TEST_F(Compiling, EndsAtItsTimeLimit) {
-  workplace_.limits.cpuSeconds = 2;
+  workplace_.limits.processorTime = std::chrono::seconds(2);
   // Twofold at every level: the depth limit is never reached, the time is.
   const char* bomb =
       "template <int N, int M> struct Wide { static constexpr int v = Wide<N - 1, 2 * M>::v + Wide<N - 1, 2 * M + "
@@ -105,7 +105,7 @@ TEST_F(Compiling, DiagnosticsAreCut) {
 }
 
 TEST_F(Compiling, ProductsAreBounded) {
-  workplace_.largestProduct = 4 << 20;
+  workplace_.limits.product = 4 << 20;
   // The solution with ballast: everything else about it is right.
   const fs::path solution = workplace_.source / "solutions" / exercise_.topic / exercise_.files.front();
   const BuildOutcome outcome = build(readFile(solution) + "\nextern const char ballast[8 << 20] = {1};\n");

@@ -1,0 +1,76 @@
+#include "course/check/handed_out.h"
+
+#include "base/file.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <sstream>
+
+namespace muelle {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* listName = "framework/course/handed_out.txt";
+
+std::string lineFor(const fs::path& checkout, const std::string& file) {
+  return fmt::format("{:016x} {}\n", handedOutHash(readFile(checkout / file)), file);
+}
+
+}  // namespace
+
+std::uint64_t handedOutHash(std::string_view text) {
+  std::uint64_t hash = 0xCBF29CE484222325U;
+  for (const char c : text) {
+    if (c == '\r') continue;
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 0x100000001B3U;
+  }
+  return hash;
+}
+
+std::string handedOutList(const fs::path& checkout) {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(checkout / "framework/harness")) {
+    if (entry.path().extension() == ".h") files.push_back("framework/harness/" + entry.path().filename().string());
+  }
+  for (const auto& entry : fs::directory_iterator(checkout / "exercises")) {
+    const std::string topic = entry.path().filename().string();
+    if (!fs::exists(entry.path() / "exercise.toml")) continue;
+    for (const std::string& name :
+         {topic + ".h", std::string("public_test.cpp"), std::string("demo.cpp"), std::string("exercise.toml")}) {
+      if (fs::exists(entry.path() / name)) files.push_back(fmt::format("exercises/{}/{}", topic, name));
+    }
+  }
+  std::ranges::sort(files);
+  std::string list;
+  for (const std::string& file : files) list += lineFor(checkout, file);
+  return list;
+}
+
+std::vector<std::string> changedHandedOut(const fs::path& checkout, std::string_view topic) {
+  std::vector<std::string> changed;
+  if (!fs::exists(checkout / listName)) return changed;
+  std::istringstream list(readFile(checkout / listName));
+  const std::string folder = fmt::format("exercises/{}/", topic);
+  for (std::string line; std::getline(list, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    const std::size_t blank = line.find(' ');
+    if (blank == std::string::npos) continue;
+    const std::string file = line.substr(blank + 1);
+    if (!file.starts_with("framework/harness/") && !file.starts_with(folder)) continue;
+    if (!fs::exists(checkout / file) || lineFor(checkout, file) != line + "\n") changed.push_back(file);
+  }
+  return changed;
+}
+
+std::string sayChanged(const std::vector<std::string>& changed) {
+  std::string text;
+  for (const std::string& file : changed) {
+    text += fmt::format("{} is not as it was handed out: get it back, for you are graded against the original\n", file);
+  }
+  return text;
+}
+
+}  // namespace muelle

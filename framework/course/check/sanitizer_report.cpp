@@ -1,0 +1,68 @@
+#include "course/check/sanitizer_report.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace muelle {
+
+namespace {
+
+struct Kind {
+  std::string_view word;  ///< AddressSanitizer's
+  std::string_view sentence;
+};
+
+constexpr auto kinds = std::to_array<Kind>({
+    {"stack-use-after-scope",
+     "uses a temporary or local variable that is gone ('auto' keeps no Eigen expression's "
+     "values: write Vec3 or VecX)"},
+    {"stack-use-after-return", "uses a local variable of a function that has returned"},
+    {"heap-use-after-free", "uses memory that was given back"},
+    {"double-free", "gives memory back twice"},
+    {"attempting free on address", "gives back memory that new has not given"},
+    {"stack-buffer-overflow", "reads or writes beyond the end of a local array"},
+    {"stack-buffer-underflow", "reads or writes before the beginning of a local array"},
+    {"dynamic-stack-buffer-overflow", "reads or writes beyond the end of a local array"},
+    {"heap-buffer-overflow", "reads or writes beyond the end of an array"},
+    {"global-buffer-overflow", "reads or writes beyond the end of an array"},
+    {"reached the end of a value-returning function", "ends without returning a value"},
+});
+
+/// "spring_3d.cpp:26" where the text first mentions a line of a student's file; "" when it does not.
+std::string placeIn(std::string_view text, const std::vector<StudentFile>& files) {
+  std::size_t first = std::string_view::npos;
+  std::string place;
+  for (const StudentFile& file : files) {
+    const std::string key = file.name + ":";
+    for (std::size_t at = text.find(key); at != std::string_view::npos && at < first; at = text.find(key, at + 1)) {
+      int line = 0;
+      const std::string_view rest = text.substr(at + key.size());
+      const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), line);
+      const bool isWhole = at == 0 || text[at - 1] == '/' || text[at - 1] == ' ' || text[at - 1] == '\n';
+      if (error != std::errc() || !isWhole) continue;
+      first = at;
+      place = fmt::format("{}:{}", file.name, line);
+    }
+  }
+  return place;
+}
+
+}  // namespace
+
+std::string explainSanitizers(std::string_view output, const std::vector<StudentFile>& files) {
+  const std::size_t start = std::min(output.find("ERROR: AddressSanitizer: "), output.find(": runtime error: "));
+  if (start == std::string_view::npos) return "";
+  // UndefinedBehaviorSanitizer puts the place in front of its words.
+  const std::size_t line = start == 0 ? 0 : output.rfind('\n', start) + 1;
+  const std::string_view report = output.substr(line);
+  const std::string_view headline = output.substr(line, output.find('\n', start) - line);
+  const auto kind =
+      std::ranges::find_if(kinds, [&](const Kind& k) { return headline.find(k.word) != std::string_view::npos; });
+  if (kind == kinds.end()) return "";
+  const std::string place = placeIn(report, files);
+  return place.empty() ? "" : fmt::format("{} {}", place, kind->sentence);
+}
+
+}  // namespace muelle

@@ -1,0 +1,335 @@
+#include "course/check/symbols.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+
+namespace muelle {
+
+namespace {
+
+constexpr std::string_view keyboard = "reads the keyboard ({}): nobody types while it is tested";
+constexpr std::string_view files = "works with files ({}): what it needs comes as arguments";
+constexpr std::string_view programs = "runs programs ({}): it can only compute";
+constexpr std::string_view threads = "starts threads ({}): one is enough for every exercise";
+constexpr std::string_view network = "talks to a network ({}): it can only compute";
+constexpr std::string_view sleeps = "waits ({}): a function returns as soon as it has computed";
+constexpr std::string_view signals = "sends or handles signals ({}): throw an exception, or return";
+constexpr std::string_view memory = "asks for memory beside new and std::vector ({})";
+constexpr std::string_view system = "asks the operating system ({}): what it needs comes as arguments";
+
+/// A symbol that no exercise needs.
+struct Unneeded {
+  std::string_view symbol;  ///< whole name of a C function, or the beginning of a mangled name
+  std::string_view shown;   ///< as the student writes it; "": the symbol
+  std::string_view sentence;
+};
+
+/// Parts of the C++ library: any symbol that begins so, of GNU's library and of LLVM's.
+constexpr auto parts = std::to_array<Unneeded>({
+    {"_ZSt3cin", "std::cin", keyboard},
+    {"_ZSt4wcin", "std::wcin", keyboard},
+    {"_ZNSt3__13cinE", "std::cin", keyboard},
+    {"_ZNSt3__14wcinE", "std::wcin", keyboard},
+    {"_ZNSt14basic_ifstream", "std::ifstream", files},
+    {"_ZNSt14basic_ofstream", "std::ofstream", files},
+    {"_ZNSt13basic_fstream", "std::fstream", files},
+    {"_ZNSt13basic_filebuf", "std::filebuf", files},
+    {"_ZNSt3__114basic_ifstream", "std::ifstream", files},
+    {"_ZNSt3__114basic_ofstream", "std::ofstream", files},
+    {"_ZNSt3__113basic_fstream", "std::fstream", files},
+    {"_ZNSt3__113basic_filebuf", "std::filebuf", files},
+    {"_ZNSt10filesystem", "std::filesystem", files},
+    {"_ZNKSt10filesystem", "std::filesystem", files},
+    {"_ZNSt3__14__fs10filesystem", "std::filesystem", files},
+    {"_ZNKSt3__14__fs10filesystem", "std::filesystem", files},
+    {"_ZNSt6thread15_M_start_thread", "std::thread", threads},
+    {"_ZNSt3__16thread", "std::thread", threads},
+    {"_ZNSt11this_thread", "std::this_thread", sleeps},
+    {"_ZNSt3__111this_thread", "std::this_thread", sleeps},
+});
+
+/// Functions and variables of the C library. Absent on purpose: what printing, assertions, containers and exit() need;
+/// exit() and its kin are a crash when they are called.
+constexpr auto functions = std::to_array<Unneeded>({
+    {"stdin", "", keyboard},
+    {"__stdinp", "stdin", keyboard},
+    {"scanf", "", keyboard},
+    {"vscanf", "", keyboard},
+    {"__isoc99_scanf", "scanf", keyboard},
+    {"__isoc99_vscanf", "vscanf", keyboard},
+    {"__isoc23_scanf", "scanf", keyboard},
+    {"__isoc23_vscanf", "vscanf", keyboard},
+    {"getchar", "", keyboard},
+    {"getchar_unlocked", "", keyboard},
+    {"gets", "", keyboard},
+    {"getwchar", "", keyboard},
+    {"fopen", "", files},
+    {"fopen64", "fopen", files},
+    {"freopen", "", files},
+    {"freopen64", "freopen", files},
+    {"fdopen", "", files},
+    {"tmpfile", "", files},
+    {"tmpfile64", "tmpfile", files},
+    {"remove", "", files},
+    {"rename", "", files},
+    {"open", "", files},
+    {"open64", "open", files},
+    {"__open_2", "open", files},
+    {"__open64_2", "open", files},
+    {"openat", "", files},
+    {"openat64", "openat", files},
+    {"creat", "", files},
+    {"creat64", "creat", files},
+    {"read", "", files},
+    {"__read_chk", "read", files},
+    {"readv", "", files},
+    {"pread", "", files},
+    {"pread64", "pread", files},
+    {"write", "", files},
+    {"writev", "", files},
+    {"pwrite", "", files},
+    {"pwrite64", "pwrite", files},
+    {"close", "", files},
+    {"close_range", "", files},
+    {"closefrom", "", files},
+    {"dup", "", files},
+    {"dup2", "", files},
+    {"dup3", "", files},
+    {"pipe", "", files},
+    {"pipe2", "", files},
+    {"fcntl", "", files},
+    {"fcntl64", "fcntl", files},
+    {"ioctl", "", files},
+    {"flock", "", files},
+    {"lockf", "", files},
+    {"lseek", "", files},
+    {"sendfile", "", files},
+    {"splice", "", files},
+    {"unlink", "", files},
+    {"unlinkat", "", files},
+    {"link", "", files},
+    {"linkat", "", files},
+    {"symlink", "", files},
+    {"symlinkat", "", files},
+    {"renameat", "", files},
+    {"mkdir", "", files},
+    {"mkdirat", "", files},
+    {"mkfifo", "", files},
+    {"mknod", "", files},
+    {"rmdir", "", files},
+    {"opendir", "", files},
+    {"fdopendir", "", files},
+    {"scandir", "", files},
+    {"nftw", "", files},
+    {"ftw", "", files},
+    {"glob", "", files},
+    {"chdir", "", files},
+    {"fchdir", "", files},
+    {"chroot", "", files},
+    {"chmod", "", files},
+    {"fchmod", "", files},
+    {"fchmodat", "", files},
+    {"chown", "", files},
+    {"fchown", "", files},
+    {"utime", "", files},
+    {"utimes", "", files},
+    {"utimensat", "", files},
+    {"futimens", "", files},
+    {"truncate", "", files},
+    {"truncate64", "truncate", files},
+    {"ftruncate", "", files},
+    {"ftruncate64", "ftruncate", files},
+    {"stat", "", files},
+    {"lstat", "", files},
+    {"fstat", "", files},
+    {"fstatat", "", files},
+    {"access", "", files},
+    {"readlink", "", files},
+    {"realpath", "", files},
+    {"mkstemp", "", files},
+    {"mkstemp64", "mkstemp", files},
+    {"mkdtemp", "", files},
+    {"mount", "", files},
+    {"umount", "", files},
+    {"system", "", programs},
+    {"popen", "", programs},
+    {"fork", "", programs},
+    {"vfork", "", programs},
+    {"_Fork", "", programs},
+    {"clone", "", programs},
+    {"daemon", "", programs},
+    {"setsid", "", programs},
+    {"execl", "", programs},
+    {"execle", "", programs},
+    {"execlp", "", programs},
+    {"execv", "", programs},
+    {"execve", "", programs},
+    {"execvp", "", programs},
+    {"execvpe", "", programs},
+    {"fexecve", "", programs},
+    {"posix_spawn", "", programs},
+    {"posix_spawnp", "", programs},
+    {"wait", "", programs},
+    {"waitpid", "", programs},
+    {"pthread_create", "", threads},
+    {"thrd_create", "", threads},
+    {"socket", "", network},
+    {"socketpair", "", network},
+    {"connect", "", network},
+    {"bind", "", network},
+    {"listen", "", network},
+    {"accept", "", network},
+    {"accept4", "", network},
+    {"send", "", network},
+    {"sendto", "", network},
+    {"sendmsg", "", network},
+    {"recv", "", network},
+    {"recvfrom", "", network},
+    {"recvmsg", "", network},
+    {"getaddrinfo", "", network},
+    {"gethostbyname", "", network},
+    {"sleep", "", sleeps},
+    {"usleep", "", sleeps},
+    {"nanosleep", "", sleeps},
+    {"clock_nanosleep", "", sleeps},
+    {"thrd_sleep", "", sleeps},
+    {"pause", "", sleeps},
+    {"select", "", sleeps},
+    {"pselect", "", sleeps},
+    {"poll", "", sleeps},
+    {"ppoll", "", sleeps},
+    {"epoll_wait", "", sleeps},
+    {"kill", "", signals},
+    {"killpg", "", signals},
+    {"tgkill", "", signals},
+    {"raise", "", signals},
+    {"pthread_kill", "", signals},
+    {"signal", "", signals},
+    {"__sysv_signal", "signal", signals},
+    {"sigset", "", signals},
+    {"sigaction", "", signals},
+    {"sigprocmask", "", signals},
+    {"pthread_sigmask", "", signals},
+    {"sigaltstack", "", signals},
+    {"sigqueue", "", signals},
+    {"sigsuspend", "", signals},
+    {"sigwait", "", signals},
+    {"alarm", "", signals},
+    {"setitimer", "", signals},
+    {"timer_create", "", signals},
+    {"mmap", "", memory},
+    {"mmap64", "mmap", memory},
+    {"munmap", "", memory},
+    {"mremap", "", memory},
+    {"mprotect", "", memory},
+    {"mlock", "", memory},
+    {"mlockall", "", memory},
+    {"brk", "", memory},
+    {"sbrk", "", memory},
+    {"memfd_create", "", memory},
+    {"shm_open", "", memory},
+    {"shm_unlink", "", memory},
+    {"shmget", "", memory},
+    {"shmat", "", memory},
+    {"semget", "", system},
+    {"sem_open", "", system},
+    {"msgget", "", system},
+    {"msgsnd", "", system},
+    {"msgrcv", "", system},
+    {"mq_open", "", system},
+    {"syscall", "", system},
+    {"ptrace", "", system},
+    {"prctl", "", system},
+    {"process_vm_readv", "", system},
+    {"process_vm_writev", "", system},
+    {"personality", "", system},
+    {"setrlimit", "", system},
+    {"setrlimit64", "setrlimit", system},
+    {"prlimit", "", system},
+    {"prlimit64", "prlimit", system},
+    {"unshare", "", system},
+    {"setns", "", system},
+    {"setuid", "", system},
+    {"setgid", "", system},
+    {"getuid", "", system},
+    {"getpid", "", system},
+    {"getppid", "", system},
+    {"uname", "", system},
+    {"gethostname", "", system},
+    {"getenv", "", system},
+    {"secure_getenv", "", system},
+    {"setenv", "", system},
+    {"putenv", "", system},
+    {"environ", "", system},
+    {"__environ", "environ", system},
+    {"_environ", "environ", system},
+    {"dlopen", "", system},
+    {"dlmopen", "", system},
+    {"dlsym", "", system},
+    {"dlvsym", "", system},
+    {"dl_iterate_phdr", "", system},
+    {"inotify_init", "", system},
+    {"add_key", "", system},
+    {"keyctl", "", system},
+});
+
+/// A Mac's assembler puts an underscore before every name.
+std::string_view plain(std::string_view symbol) {
+#ifdef __APPLE__
+  if (symbol.starts_with('_')) symbol.remove_prefix(1);
+#endif
+  return symbol;
+}
+
+/// The entry of the tables that says what the symbol is; null when an exercise may need it.
+const Unneeded* unneeded(std::string_view symbol) {
+  const auto part = std::ranges::find_if(parts, [&](const Unneeded& u) { return symbol.starts_with(u.symbol); });
+  if (part != parts.end()) return &*part;
+  const auto function = std::ranges::find(functions, symbol, &Unneeded::symbol);
+  return function != functions.end() ? &*function : nullptr;
+}
+
+void addOnce(std::vector<std::string>& names, std::string_view name) {
+  if (std::ranges::find(names, name) == names.end()) names.emplace_back(name);
+}
+
+}  // namespace
+
+Symbols readSymbols(std::string_view nmText) {
+  Symbols symbols;
+  std::vector<std::string> used;
+  while (!nmText.empty()) {
+    const std::size_t end = std::min(nmText.find('\n'), nmText.size());
+    const std::string_view line = nmText.substr(0, end);
+    nmText.remove_prefix(std::min(end + 1, nmText.size()));
+    // "name kind value size"; a line without kind is the name of a file
+    const std::size_t blank = line.find(' ');
+    if (blank == std::string_view::npos || blank + 1 >= line.size()) continue;
+    const std::string_view name = plain(line.substr(0, blank));
+    const char kind = line[blank + 1];
+    const bool isUndefined = kind == 'U' || kind == 'w' || kind == 'v';
+    const bool isGlobal = kind >= 'A' && kind <= 'Z';
+    if (isUndefined) addOnce(used, name);
+    if (!isUndefined && isGlobal) addOnce(symbols.defined, name);
+  }
+  for (const std::string& name : used) {
+    if (std::ranges::find(symbols.defined, name) == symbols.defined.end()) symbols.undefined.push_back(name);
+  }
+  return symbols;
+}
+
+SymbolVerdict judgeSymbols(const Symbols& symbols) {
+  if (std::ranges::find(symbols.defined, "main") != symbols.defined.end()) {
+    return {Outcome::Link, "your file defines main: leave it out"};
+  }
+  for (const std::string& symbol : symbols.undefined) {
+    if (const Unneeded* found = unneeded(symbol)) {
+      const std::string_view name = found->shown.empty() ? found->symbol : found->shown;
+      return {Outcome::Forbidden, "it " + fmt::format(fmt::runtime(found->sentence), name)};
+    }
+  }
+  return {};
+}
+
+}  // namespace muelle

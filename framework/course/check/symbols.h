@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// What a compiled file uses and defines, judged before it is linked: what no exercise needs is refused by its name, so
+/// that it is refused in the same words wherever the file runs.
+
+#include "course/check/outcome.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace muelle {
+
+/// The symbols of compiled files, as the assembler spells them.
+struct Symbols {
+  std::vector<std::string> undefined;  ///< taken from elsewhere
+  std::vector<std::string> defined;    ///< seen from elsewhere
+};
+
+/// Reads what `nm -P` writes, of several files too: what one defines and another uses is not undefined.
+Symbols readSymbols(std::string_view nmText);
+
+/// What the symbols alone say.
+struct SymbolVerdict {
+  Outcome outcome = Outcome::Passed;  ///< Passed, Link (main) or Forbidden
+  std::string message;                ///< one sentence that names the cause; "" when passed
+};
+
+/// The first thing that stands against the file. main comes before what it may use.
+SymbolVerdict judgeSymbols(const Symbols& symbols);
+
+}  // namespace muelle
