@@ -215,6 +215,8 @@ class OpenArchive {
 }  // namespace
 
 void ArchiveReader::open(const std::string& bytes, const std::string& name, const RelativePath& folder) {
+  // A zip file that begins with the end of its directory holds nothing; libarchive does not know it for one.
+  if (bytes.starts_with("PK\x05\x06")) return collector_.note(fmt::format("the archive {} is empty", name));
   const Utf8Names locale;
   OpenArchive(bytes, name, folder, *this).run();
 }

@@ -19,7 +19,9 @@ class Unreadable : public ::testing::Test {
   void forbid(const std::string& name) const { ASSERT_EQ(::chmod((folder_.path() / name).c_str(), 0), 0); }
   void allow(const std::string& name) const { ::chmod((folder_.path() / name).c_str(), 0755); }
   Submission take(const std::vector<std::string>& only = {}) const {
-    if (::geteuid() == 0) EXPECT_EQ(::seteuid(65534), 0);
+    if (::geteuid() == 0) {
+      EXPECT_EQ(::seteuid(65534), 0);
+    }
     Submission s = takeSubmission(folder_.path(), smallCourse(), {}, only);
     becomeRoot();
     return s;
@@ -29,7 +31,9 @@ class Unreadable : public ::testing::Test {
 
  private:
   static void becomeRoot() {
-    if (::getuid() == 0) EXPECT_EQ(::seteuid(0), 0);
+    if (::getuid() == 0) {
+      EXPECT_EQ(::seteuid(0), 0);
+    }
   }
 };
 
