@@ -3,7 +3,7 @@
 #include "base/progress_bar.h"
 #include "base/terminal.h"
 #include "grader/class/grade_class.h"
-#include "grader/intake/class_folder.h"
+#include "grader/intake/looks_like_a_class.h"
 #include "grader/report/report.h"
 #include "grader/report/report_folder.h"
 
@@ -46,10 +46,10 @@ int jobsOf(const GradeCommand& command) {
 
 int gradeSubmission(const GradeCommand& command) {
   grader::Grader grader = openGrader(command);
-  if (const auto why = grader::looksLikeAClass(command.submission, grader.course())) {
-    throw std::invalid_argument(*why);
+  if (const auto why = grader::looksLikeAClass(command.submission, grader.wholeCourse())) {
+    throw std::invalid_argument(command.submission + " " + *why);
   }
-  grader::Submission submission = grader::takeSubmission(command.submission, grader.course());
+  grader::Submission submission = grader.take(command.submission);
   ProgressBar bar("grading");
   grader.onProgress([&] { bar.update(static_cast<double>(grader.finished()) / std::max(1, grader.known())); });
   const grader::GradedSubmission graded = grader::grade(grader, std::move(submission), jobsOf(command));

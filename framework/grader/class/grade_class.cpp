@@ -47,7 +47,7 @@ class Grading {
     ClassRow& row = class_.rows[i];
     row.student = entry.student;
     try {
-      Submission submission = takeSubmission(entry.path, grader_.course());
+      Submission submission = grader_.take(entry.path);
       submission.name = entry.student;
       grader_.add(pool_, std::move(submission),
                   [this, i, path = entry.path](GradedSubmission graded) { finish(i, path, std::move(graded)); });

@@ -55,14 +55,14 @@ void removeOldRuns(const Workplace& workplace) {
   }
 }
 
-Submission submissionOfEnvironment(const std::vector<Manifest>& course) {
+std::string submissionOfEnvironment() {
   const std::string path = environment("MUELLE_SUBMISSION");
   if (path.empty()) {
     throw std::runtime_error(
         "MUELLE_SUBMISSION is not set: name the folder or archive to grade, as in "
         "MUELLE_SUBMISSION=solutions ctest --preset grade");
   }
-  return takeSubmission(path, course);
+  return path;
 }
 
 std::string joined(const std::vector<std::string>& lines) {
@@ -125,7 +125,7 @@ int gradeForCtest(const Workplace& workplace, const std::string& topic) {
   options.seed = environment("MUELLE_SEED");
   options.sandbox = parseSandboxChoice(environment("MUELLE_SANDBOX"));
   Grader grader = openGrader(workplace, options, {topic});
-  const GradedSubmission submission = grade(grader, submissionOfEnvironment(grader.course()), parallelTasks);
+  const GradedSubmission submission = grade(grader, grader.take(submissionOfEnvironment()), parallelTasks);
   const GradedExercise& graded = submission.exercises.front();
 
   nlohmann::json document;

@@ -60,9 +60,10 @@ BuildOutcome absence(const Submission& submission, const Manifest& manifest) {
 }  // namespace
 
 Grader::Grader(Workplace workplace, std::vector<Manifest> course, GradeOptions options,
-               std::unique_ptr<Sandbox> sandbox)
+               std::unique_ptr<Sandbox> sandbox, std::vector<Manifest> wholeCourse)
     : workplace_(std::move(workplace)),
       course_(std::move(course)),
+      wholeCourse_(wholeCourse.empty() ? course_ : std::move(wholeCourse)),
       options_(std::move(options)),
       sandbox_(std::move(sandbox)),
       objects_(workplace_.objects()),
@@ -74,6 +75,14 @@ Grader::Grader(Workplace workplace, std::vector<Manifest> course, GradeOptions o
 void Grader::count(std::atomic<int>& counter, int by) {
   counter += by;
   if (listener_) listener_();
+}
+
+Submission Grader::take(const std::filesystem::path& path) const {
+  std::vector<std::string> only;
+  if (course_.size() < wholeCourse_.size()) {
+    for (const Manifest& manifest : course_) only.push_back(manifest.topic);
+  }
+  return takeSubmission(path, wholeCourse_, {}, only);
 }
 
 void Grader::add(Pool& pool, Submission submission, std::function<void(GradedSubmission)> done) {
@@ -130,7 +139,7 @@ Grader openGrader(const Workplace& workplace, GradeOptions options, const std::v
   }
   std::ranges::sort(course, {}, &Manifest::order);
   auto sandbox = makeSandbox(options.sandbox);
-  return Grader(workplace, std::move(course), std::move(options), std::move(sandbox));
+  return {workplace, std::move(course), std::move(options), std::move(sandbox), all};
 }
 
 GradedSubmission grade(Grader& grader, Submission submission, int jobs) {

@@ -15,15 +15,22 @@ namespace muelle::grader {
 /// submission, and the others are graded.
 class Grader {
  public:
+  /// \param course what is graded   \param wholeCourse what a hand-in may hold besides; empty: the same
   /// \param sandbox settled: options.sandbox is set to its choice
-  Grader(Workplace workplace, std::vector<Manifest> course, GradeOptions options, std::unique_ptr<Sandbox> sandbox);
+  Grader(Workplace workplace, std::vector<Manifest> course, GradeOptions options, std::unique_ptr<Sandbox> sandbox,
+         std::vector<Manifest> wholeCourse = {});
 
   const Workplace& workplace() const { return workplace_; }
+  /// The exercises that are graded, and all that there are.
   const std::vector<Manifest>& course() const { return course_; }
+  const std::vector<Manifest>& wholeCourse() const { return wholeCourse_; }
   const GradeOptions& options() const { return options_; }
   const Sandbox& sandbox() const { return *sandbox_; }
   const Store& objects() const { return objects_; }
   const Store& records() const { return records_; }
+
+  /// Reads a hand-in, once: what is saved there afterwards changes nothing. Throws as takeSubmission() does.
+  Submission take(const std::filesystem::path& path) const;
 
   /// Adds the grading of a submission to the pool. `done` is called once, in a task of the pool, with the result.
   void add(Pool& pool, Submission submission, std::function<void(GradedSubmission)> done);
@@ -51,6 +58,7 @@ class Grader {
 
   Workplace workplace_;
   std::vector<Manifest> course_;
+  std::vector<Manifest> wholeCourse_;
   GradeOptions options_;
   std::unique_ptr<Sandbox> sandbox_;
   Store objects_;

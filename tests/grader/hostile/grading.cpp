@@ -74,7 +74,7 @@ GradedSubmission gradeAttack(const std::filesystem::path& submission, const std:
   options.sandbox = chosenSandbox();
   options.withCurves = false;
   Grader grader = openGrader(workplace, options, {topic});
-  return grade(grader, takeSubmission(submission, grader.course()), 1);
+  return grade(grader, grader.take(submission), 1);
 }
 
 void expectDefeated(const GradedSubmission& graded, const std::string& says) {
