@@ -75,10 +75,10 @@ class Drawing {
     const double from = x(histogram_.low(i)) + 1.0, to = x(histogram_.high(i)) - 1.0;
     const bool last = i + 1 == histogram_.counts.size();
     body_ += fmt::format(
-        "<rect class=\"students\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"><title>{} to {} {}: "
+        "<rect class=\"students\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"><title>{} to {}{}: "
         "{}</title></rect>\n",
         from, y(count), std::max(to - from, 1.0), layout_.floor() - y(count), showPoints(histogram_.low(i)),
-        last ? "" : "below", showPoints(histogram_.high(i)), count);
+        last ? "" : "below ", showPoints(histogram_.high(i)), count);
     text("x count", 0.5 * (from + to), y(count) - 5.0, std::to_string(count));
   }
 
