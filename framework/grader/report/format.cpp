@@ -49,9 +49,8 @@ double maxScore(const GradedExercise& exercise) {
   return sum;
 }
 
-std::string showSandbox(const GradedSubmission& graded) {
-  return graded.sandbox.empty() ? "none known" : printableLine(graded.sandbox);
-}
+std::string showSandbox(const std::string& sandbox) { return sandbox.empty() ? "none known" : printableLine(sandbox); }
+std::string showSandbox(const GradedSubmission& graded) { return showSandbox(graded.sandbox); }
 
 std::string field(const std::string& text) {
   constexpr std::size_t ellipsis = 3;

@@ -25,6 +25,7 @@ std::string showState(Explanation::State state);
 double maxScore(const GradedExercise& exercise);
 
 /// "bubblewrap", or a warning when the name is missing: one printable line.
+std::string showSandbox(const std::string& sandbox);
 std::string showSandbox(const GradedSubmission& graded);
 
 /// The most that a field of a file for other programs takes, in bytes.

@@ -1,10 +1,9 @@
 #include "base/text/escape.h"
 #include "grader/report/format.h"
-#include "grader/report/page_style.h"
+#include "grader/report/page.h"
 #include "grader/report/report.h"
 
 #include <fmt/format.h>
-#include <algorithm>
 
 namespace muelle::grader {
 
@@ -12,16 +11,7 @@ namespace {
 
 using State = Explanation::State;
 
-/// The curves are images with their own, scriptless world; nothing else is loaded and nothing runs.
-constexpr const char* policy =
-    "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'";
-
-std::string classOf(double points, double most) {
-  if (points >= most) return "passed";
-  return points > 0.0 ? "part" : "failed";
-}
-
-std::string classOf(State state) {
+std::string classOfState(State state) {
   if (state == State::Passed) return "passed";
   return state == State::Partial || state == State::GraderFault ? "part" : "failed";
 }
@@ -42,20 +32,8 @@ std::string markOf(State state) {
   return "✗";
 }
 
-std::string bar(double points, double most) {
-  const double part = most > 0.0 ? std::clamp(points / most, 0.0, 1.0) : 0.0;
-  return fmt::format(
-      "<svg class=\"bar\" viewBox=\"0 0 100 8\" preserveAspectRatio=\"none\" role=\"img\" aria-label=\"{0:.0f} %\">"
-      "<rect class=\"track\" width=\"100\" height=\"8\"/><rect class=\"fill\" width=\"{1:.2f}\" height=\"8\"/></svg>",
-      100.0 * part, 100.0 * part);
-}
-
 std::string pointsOf(const std::string& points, double most, const char* between) {
   return fmt::format("<p class=\"points\"><b>{}</b>{}{}</p>", points, between, showPoints(most));
-}
-
-std::string paragraph(const char* kind, const std::string& text) {
-  return text.empty() ? "" : fmt::format("<p class=\"{}\">{}</p>\n", kind, escapeHtml(text));
 }
 
 /// Got and expected side by side; a statement as it is.
@@ -99,7 +77,7 @@ std::string criterionRow(const Criterion& criterion, const GradedExercise& exerc
   const Explanation explanation = explain(criterion, exercise);
   const bool built = exercise.build.status == BuildOutcome::Status::Built;
   return fmt::format("<div class=\"criterion {}\"><span class=\"mark\" title=\"{}\">{}</span><h3>{}</h3>{}\n{}</div>\n",
-                     classOf(explanation.state), showState(explanation.state), markOf(explanation.state),
+                     classOfState(explanation.state), showState(explanation.state), markOf(explanation.state),
                      escapeHtml(criterion.name), pointsOf(showScore(criterion, exercise), criterion.points, " / "),
                      // A build that failed is told once, above the criteria.
                      built ? why(explanation, shownOutput(criterion, exercise)) : "");
@@ -186,15 +164,10 @@ std::string pageFooter(const GradedSubmission& graded) {
 }  // namespace
 
 std::string htmlPage(const GradedSubmission& graded) {
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n<meta name=\"referrer\" content=\"no-referrer\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{} / {} · {}</title>\n"
-      "<style>{}</style>\n</head>\n<body>\n<main>\n",
-      policy, showScore(graded), showPoints(maxScore(graded)), escapeHtml(graded.name), pageStyle);
-  html += pageHeader(graded) + overview(graded);
-  for (const GradedExercise& exercise : graded.exercises) html += exerciseSection(exercise);
-  return html + pageFooter(graded) + "</main>\n</body>\n</html>\n";
+  std::string body = pageHeader(graded) + overview(graded);
+  for (const GradedExercise& exercise : graded.exercises) body += exerciseSection(exercise);
+  return page(fmt::format("{} / {} · {}", showScore(graded), showPoints(maxScore(graded)), graded.name),
+              body + pageFooter(graded));
 }
 
 }  // namespace muelle::grader

@@ -1,6 +1,8 @@
 #include "base/text/printable.h"
 #include "base/text/utf8.h"
+#include "base/text/wrap.h"
 #include "grader/report/format.h"
+#include "grader/report/paint.h"
 #include "grader/report/report.h"
 
 #include <fmt/format.h>
@@ -22,59 +24,30 @@ constexpr std::size_t nameBytes = 200;      ///< a name or a title: about three 
 constexpr std::size_t sentenceBytes = 480;  ///< a sentence or a note: about six lines
 constexpr std::size_t mostNotes = 12;
 
-/// The longest piece of `line` that fits into `width` columns, at least one character; ends at a space when it can.
-std::string takeColumns(std::string& line, int width) {
-  std::size_t end = 0, space = 0;
-  int used = 0;
-  while (end < line.size()) {
-    const CodePoint point = decodeUtf8(std::string_view(line).substr(end));
-    used += columns(point.value);
-    if (used > width && end > 0) break;
-    if (point.value == ' ') space = end;
-    end += point.length;
-  }
-  if (end < line.size() && space > 0 && line[end] != ' ') end = space;
-  std::string piece = line.substr(0, end);
-  line.erase(0, line.find_first_not_of(' ', end));
-  return piece;
-}
-
-std::vector<std::string> wrap(std::string line, int width) {
-  std::vector<std::string> pieces;
-  while (!line.empty()) pieces.push_back(takeColumns(line, std::max(width, 1)));
-  return pieces;
-}
-
 class Table {
  public:
   Table(bool colour, int width) : colour_(colour), width_(std::clamp(width, narrowest, widest)) {}
 
   void submission(const GradedSubmission& graded) {
-    row("", graded.name, pointsOf(showScore(graded), maxScore(graded)), bold);
+    row("", graded.name, pointsOf(showScore(graded), maxScore(graded)), paint::bold);
     for (const GradedExercise& exercise : graded.exercises) this->exercise(exercise);
     text_ += std::string(static_cast<std::size_t>(width_), '-') + '\n';
-    row("", "total", pointsOf(showScore(graded), maxScore(graded)), bold);
+    row("", "total", pointsOf(showScore(graded), maxScore(graded)), paint::bold);
     if (hasGraderFault(graded))
-      paragraph("", "the grader failed on part of this: the total is no score; run it again", yellow);
-    paragraph("", "sandbox: " + showSandbox(graded), dim);
+      paragraph("", "the grader failed on part of this: the total is no score; run it again", paint::yellow);
+    paragraph("", "sandbox: " + showSandbox(graded), paint::dim);
     notes(graded.intakeNotes);
   }
 
   std::string text() && { return std::move(text_); }
 
  private:
-  static constexpr const char* bold = "1";
-  static constexpr const char* dim = "2";
-  static constexpr const char* red = "31";
-  static constexpr const char* green = "32";
-  static constexpr const char* yellow = "33";
-
   static std::string pointsOf(const std::string& points, double most) {
     return fmt::format("{} / {}", points, showPoints(most));
   }
 
   std::string painted(const std::string& text, const char* code) const {
-    return colour_ ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
+    return paint::painted(text, colour_ ? code : paint::none);
   }
 
   /// Mark and name at the left, points at the right edge; a long name goes on below.
@@ -100,8 +73,8 @@ class Table {
   void exercise(const GradedExercise& exercise) {
     text_ += '\n';
     row("", fmt::format("{}  {}", exercise.manifest.topic, exercise.manifest.title),
-        pointsOf(showScore(exercise), maxScore(exercise)), bold);
-    if (!exercise.note.empty()) paragraph("  ", "note: " + exercise.note, dim);
+        pointsOf(showScore(exercise), maxScore(exercise)), paint::bold);
+    if (!exercise.note.empty()) paragraph("  ", "note: " + exercise.note, paint::dim);
     if (exercise.build.status != BuildOutcome::Status::Built) return unbuilt(exercise);
     for (const Criterion& criterion : exercise.manifest.criteria) this->criterion(criterion, exercise);
   }
@@ -110,27 +83,29 @@ class Table {
   void unbuilt(const GradedExercise& exercise) {
     if (exercise.manifest.criteria.empty()) return;
     const bool ours = exercise.build.status == BuildOutcome::Status::GraderFault;
-    paragraph("  ", feedback(exercise.manifest.criteria.front(), exercise).front(), ours ? yellow : red);
+    paragraph("  ", feedback(exercise.manifest.criteria.front(), exercise).front(), ours ? paint::yellow : paint::red);
     const std::string words = printableText(exercise.build.diagnostics);
     const std::string kept = cutText(words, diagnosticLines, diagnosticBytes);
     std::istringstream shown(kept);
-    for (std::string line; std::getline(shown, line);) paragraph("    ", line, dim);
-    if (kept != words) paragraph("    ", "all of it stands in report.html", dim);
+    for (std::string line; std::getline(shown, line);) paragraph("    ", line, paint::dim);
+    if (kept != words) paragraph("    ", "all of it stands in report.html", paint::dim);
   }
 
   void notes(const std::vector<std::string>& all) {
-    for (std::size_t i = 0; i < std::min(all.size(), mostNotes); ++i) paragraph("", "note: " + all[i], dim);
+    for (std::size_t i = 0; i < std::min(all.size(), mostNotes); ++i) paragraph("", "note: " + all[i], paint::dim);
     if (all.size() > mostNotes)
-      paragraph("", fmt::format("... and {} more notes in report.html", all.size() - mostNotes), dim);
+      paragraph("", fmt::format("... and {} more notes in report.html", all.size() - mostNotes), paint::dim);
   }
 
   void criterion(const Criterion& criterion, const GradedExercise& exercise) {
     const State state = explain(criterion, exercise).state;
-    const char* code = state == State::Passed ? green : state == State::Failed || state == State::NotRun ? red : yellow;
+    const char* code = state == State::Passed                             ? paint::green
+                       : state == State::Failed || state == State::NotRun ? paint::red
+                                                                          : paint::yellow;
     row(mark(state), criterion.name,
         fmt::format("{} / {}", showScore(criterion, exercise), showPoints(criterion.points)), code);
     const std::vector<std::string> lines = feedback(criterion, exercise);
-    if (!lines.empty()) paragraph("      ", lines.front(), dim);
+    if (!lines.empty()) paragraph("      ", lines.front(), paint::dim);
   }
 
   static std::string mark(State state) {
