@@ -3,6 +3,7 @@
 #include "base/process/child.h"
 #include "base/text/printable.h"
 #include "course/check/report_line.h"
+#include "course/check/standard_check.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -81,9 +82,11 @@ class ReportReader {
 
 /// The standard library's own range checks name the condition only.
 std::string explainAbort(const std::string& crash, const std::string& output) {
-  const bool isRangeCheck =
-      crash.ends_with(" aborted") && output.find("Assertion '__n < this->size()'") != std::string::npos;
-  return isRangeCheck ? crash.substr(0, crash.size() - 8) + " used an index beyond the end of a std::vector" : crash;
+  constexpr std::string_view aborted = "aborted";
+  const std::size_t assertion = output.find("Assertion '");
+  if (!crash.ends_with(aborted) || assertion == std::string::npos) return crash;
+  const std::string what = standardCheckText(output.substr(assertion));
+  return what.empty() ? crash : crash.substr(0, crash.size() - aborted.size()) + what;
 }
 
 /// The student's words without those of the standard library's checks, which the crash says better.
