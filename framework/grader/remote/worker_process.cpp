@@ -147,6 +147,8 @@ void WorkerProcess::expectConfined(const Patience& patience) {
 void WorkerProcess::load(const SessionLimits& limits) {
   expectConfined({endless, Clock::now() + limits.startWall, limits.startWall});
   watch_ = ProcessWatch(child_.pid());
+  drainOutput();
+  output_.clear();  // words of the sanitizer about its surroundings: nothing of the student's has run yet
   const Patience loading = patience(limits.load, limits.loadWall);
   expectConfined(loading);
   const wire::Frame frame = receive(0, loading, loadingCode);

@@ -3,7 +3,7 @@
 namespace muelle::grader::worker {
 
 /// True in the host that is linked with AddressSanitizer: its shadow memory wants an address space without a limit.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef MUELLE_SANITISED
 inline constexpr bool isSanitised = true;
 #else
 inline constexpr bool isSanitised = false;

@@ -67,6 +67,7 @@ TEST_F(Blame, KilledFromOutsideIsTheMachines) {
 TEST_F(Blame, KilledSandboxIsTheMachines) {
   submission::sum(1, 2, false);
   kill(session().workerPid(), SIGKILL);
+  while (!ProcessStatus(session().hostPid()).field("State").empty()) sched_yield();
   EXPECT_THROW(submission::sum(1, 2, false), SubmissionFault);
   EXPECT_EQ(session().outcome(), Outcome::Killed) << session().fault();
 }
