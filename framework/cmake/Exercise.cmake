@@ -117,7 +117,8 @@ function(muelle_grade_tests)
   add_custom_command(OUTPUT ${file} COMMAND muelle-grade-step ctest-file ${file}
                      DEPENDS muelle-grade-step ${manifests} COMMENT "Listing the criteria for CTest" VERBATIM)
   add_custom_target(muelle_grade_tests ALL DEPENDS ${file})
-  add_dependencies(muelle_grading muelle_grade_tests muelle-worker muelle-grade-step muelle_prelude)
+  add_dependencies(muelle_grading muelle_grade_tests muelle-worker muelle-worker-asan muelle-confine muelle-grade-step
+                   muelle_prelude)
   if(NOT EXISTS ${file})
     file(WRITE ${file} "")  # ctest reads it even before the first build
   endif()

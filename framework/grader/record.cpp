@@ -92,6 +92,7 @@ Verdict verdictFromJson(const json& document) {
   document.at("suite").get_to(verdict.suite);
   const std::string outcome = document.at("outcome");
   document.at("timed_out").get_to(verdict.timedOut);
+  document.at("never_written").get_to(verdict.neverWritten);
   verdict.outcome = outcomeNamed(outcome);
   if (nameOf(verdict.outcome) != outcome) throw std::runtime_error("a record of an unknown outcome");
   for (const json& test : document.at("tests")) verdict.tests.push_back(testFromJson(test));
@@ -129,6 +130,7 @@ void writeRecord(const Verdict& verdict, const std::filesystem::path& file) {
                         {"fault", verdict.fault},
                         {"grader_fault", verdict.graderFault},
                         {"timed_out", verdict.timedOut},
+                        {"never_written", verdict.neverWritten},
                         {"output", verdict.output},
                         {"seconds", verdict.seconds},
                         {"calls", verdict.calls}}));

@@ -35,9 +35,10 @@ struct Verdict {
   std::vector<TestOutcome> tests;
   std::vector<NamedMistake> misconceptions;  ///< those whose numbers match exactly
   std::string fault;  ///< what the student's code did (crash, time-out, forbidden call ...), one line; "" when nothing
-  std::string graderFault;  ///< what went wrong on our side; not empty: no score, run again
-  std::string timedOut;     ///< the function in which time ran out, Session::loading, or ""
-  std::string output;       ///< what the student's code printed, cut
+  std::string graderFault;   ///< what went wrong on our side; not empty: no score, run again
+  std::string neverWritten;  ///< the first function that returned memory to which nothing was written, or ""
+  std::string timedOut;      ///< the function in which time ran out, Session::loading, or ""
+  std::string output;        ///< what the student's code printed, cut
   double seconds = 0.0;
   long calls = 0;
 

@@ -1,17 +1,21 @@
 #pragma once
+#include "course/check/outcome.h"
+
 #include <stdexcept>
 #include <string>
 
 namespace muelle::grader {
 
-/// The student's code did something else than return a value: crash, hang, forbidden call, malformed answer.
+/// The student's code did something else than return a value: crash, hang, forbidden call, malformed answer. The class
+/// says what; Outcome::Killed and Outcome::Wall may be the machine's doing, and whoever judges tries them once more.
 class SubmissionFault : public std::runtime_error {
  public:
-  SubmissionFault(const std::string& what, bool timedOut = false) : std::runtime_error(what), timedOut_(timedOut) {}
-  bool timedOut() const { return timedOut_; }
+  explicit SubmissionFault(const std::string& what, Outcome outcome = Outcome::Wrong)
+      : std::runtime_error(what), outcome_(outcome) {}
+  Outcome outcome() const { return outcome_; }
 
  private:
-  bool timedOut_;
+  Outcome outcome_;
 };
 
 /// Something on our side is broken: the sandbox, the worker's files, the contract. Never costs a student points.

@@ -3,6 +3,7 @@
 /// MUELLE_FUNCTIONS for the hidden tests: submission::f(args) is a call to the sandboxed worker, oracle::f is declared
 /// with the contract's signature, and every call is kept for the diagnosis of misconceptions.
 
+#include "course/testing/never_written.h"
 #include "course/testing/print_value.h"
 #include "grader/remote/fault.h"
 #include "grader/remote/session.h"
@@ -11,6 +12,7 @@
 #include "grader/wire/signature.h"
 #include "harness/for_each.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace muelle::grader {
@@ -69,6 +71,7 @@ class RemoteFunction<Result(Args...)> {
   void remember(const typename History::Given& given, std::vector<double> outcome,
                 const std::decay_t<Args>&... args) const {
     (appendOutParameter<Args>(outcome, args), ...);
+    if (std::any_of(outcome.begin(), outcome.end(), isFill)) Session::current().noteNeverWritten(name_);
     History::of(name_).add(given, std::move(outcome));
   }
 

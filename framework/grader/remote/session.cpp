@@ -1,7 +1,10 @@
 #include "grader/remote/session.h"
 
 #include "course/check/eigen_message.h"
+#include "course/check/standard_message.h"
+#include "course/testing/never_written.h"
 #include "grader/remote/fault.h"
+#include "grader/worker/glue.h"
 
 #include <fmt/format.h>
 #include <random>
@@ -26,8 +29,8 @@ std::string text(const wire::Frame& frame) {
   return {reinterpret_cast<const char*>(frame.payload.data()), std::min<std::size_t>(frame.payload.size(), 2000)};
 }
 
-/// "condition, function, index" by lines, as the worker sends an assertion of Eigen.
-std::string refusal(const wire::Frame& frame, const std::string& function) {
+/// "condition, function, index" by lines, as the worker sends an assertion of Eigen or of the standard library.
+SubmissionFault refusal(const wire::Frame& frame, const std::string& function) {
   std::istringstream lines(text(frame));
   std::string condition;
   std::string where;
@@ -37,7 +40,16 @@ std::string refusal(const wire::Frame& frame, const std::string& function) {
   std::getline(lines, index);
   AssertedIndex asserted;
   if (!index.empty() && index.size() < 12) asserted = AssertedIndex(std::strtol(index.c_str(), nullptr, 10));
-  return eigenMessage(condition, where, asserted, function);
+  if (where.starts_with(worker::standardLibrary)) {
+    where.erase(0, std::string_view(worker::standardLibrary).size());
+    return SubmissionFault(fmt::format("{} {}", function, standardMessage(condition, where)), Outcome::Crash);
+  }
+  if (asserted.known && isFillInteger(asserted.value)) {
+    return SubmissionFault(
+        fmt::format("an index was never written in {}: give every variable a value before it is read", function),
+        Outcome::NeverWritten);
+  }
+  return SubmissionFault(eigenMessage(condition, where, asserted, function), Outcome::Crash);
 }
 
 }  // namespace
@@ -63,65 +75,83 @@ std::vector<std::byte> Session::call(const Request& request) {
 
 void Session::fail(const SubmissionFault& fault) {
   fault_ = fault.what();
-  throw SubmissionFault(fault_);
+  outcome_ = fault.outcome();
+  throw SubmissionFault(fault_, outcome_);
 }
 
 std::vector<std::byte> Session::exchange(const Request& request) {
   if (!graderFault_.empty()) throw GraderFault(graderFault_);
-  if (!fault_.empty()) throw SubmissionFault(fault_);
+  if (!fault_.empty()) throw SubmissionFault(fault_, outcome_);
   ++calls_;
   try {
     startWorker();
-    const auto start = WorkerProcess::Clock::now();
-    const auto left = setup_.limits.criterion - std::chrono::duration_cast<std::chrono::milliseconds>(waited_);
-    std::vector<std::byte> reply = converse(request, start + std::min(setup_.limits.call, left));
-    waited_ += WorkerProcess::Clock::now() - start;
+    const std::chrono::nanoseconds left = setup_.limits.criterion - cpuUsed_;
+    const std::chrono::nanoseconds before = worker_->cpu();
+    const Patience patience =
+        worker_->patience(std::min<std::chrono::nanoseconds>(setup_.limits.call, left), setup_.limits.callWall);
+    std::vector<std::byte> reply = converse(request, patience);
+    const std::chrono::nanoseconds after = worker_->cpu();
+    // Between two looks it may have passed the limit: the verdict must not depend on when we looked.
+    if (after > patience.cpu) throw SubmissionFault(request.function + " used up its processor time", Outcome::Cpu);
+    cpuUsed_ += after - before;
     return reply;
-  } catch (const SubmissionFault& error) {
-    fault_ = error.what();
-    if (error.timedOut() && worker_) {
-      timedOutFunction_ = request.function;
-      const bool callLimit =
-          std::chrono::duration_cast<std::chrono::milliseconds>(waited_) + setup_.limits.call < setup_.limits.criterion;
-      fault_ = callLimit ? fmt::format("{} did not return within {} s", request.function,
-                                       static_cast<double>(setup_.limits.call.count()) / 1000.0)
-                         : fmt::format("the calls of this criterion took more than {} s together; the last was {}",
-                                       static_cast<double>(setup_.limits.criterion.count()) / 1000.0, request.function);
-    }
-    throw SubmissionFault(fault_, error.timedOut());
+  } catch (const SubmissionFault& fault) {
+    noteFault(fault, request.function);
+    throw SubmissionFault(fault_, outcome_);
   } catch (const GraderFault& error) {
     graderFault_ = error.what();
     throw;
   }
 }
 
+void Session::noteFault(const SubmissionFault& fault, const std::string& function) {
+  fault_ = fault.what();
+  outcome_ = fault.outcome();
+  if (!worker_) return;
+  worker_->end();  // it may still be running
+  if (fault_.ends_with(waitsWithoutEnd)) timedOutFunction_ = function;
+  if (outcome_ != Outcome::Cpu) return;
+  timedOutFunction_ = function;
+  const bool callLimit = cpuUsed_ + setup_.limits.call <= setup_.limits.criterion;
+  const auto seconds = [](std::chrono::milliseconds time) { return static_cast<double>(time.count()) / 1000.0; };
+  fault_ = callLimit
+               ? fmt::format("{} did not return within {} s of processor time", function, seconds(setup_.limits.call))
+               : fmt::format(
+                     "the calls of this criterion took more than {} s of processor time together; the "
+                     "last was {}",
+                     seconds(setup_.limits.criterion), function);
+}
+
 void Session::startWorker() {
   if (worker_) return;
   try {
-    worker_ = std::make_unique<WorkerProcess>(*setup_.sandbox, setup_.host, setup_.submission);
-  } catch (const SubmissionFault& error) {
-    if (error.timedOut()) timedOutFunction_ = loading;
+    worker_ = std::make_unique<WorkerProcess>(*setup_.sandbox, WorkerHost{setup_.host, setup_.sanitised},
+                                              setup_.submission, setup_.limits);
+  } catch (const SubmissionFault& fault) {
+    const bool endless = fault.outcome() == Outcome::Cpu || std::string_view(fault.what()).ends_with(waitsWithoutEnd);
+    if (endless) timedOutFunction_ = loading;
     throw;
   }
 }
 
-std::vector<std::byte> Session::converse(const Request& request, WorkerProcess::Clock::time_point deadline) {
+std::vector<std::byte> Session::converse(const Request& request, const Patience& patience) {
   const std::uint64_t nonce = freshNonce();
-  worker_->send(wire::FrameKind::Call, nonce, request.id, request.arguments, deadline, request.function);
+  worker_->send(wire::FrameKind::Call, nonce, request.id, request.arguments, patience, request.function);
   for (;;) {
-    wire::Frame frame = worker_->receive(nonce, deadline, request.function);
+    wire::Frame frame = worker_->receive(nonce, patience, request.function);
     switch (frame.header.kind) {
       case wire::FrameKind::Result:
         return std::move(frame.payload);
       case wire::FrameKind::Callback:
-        answerCallback(request, frame, nonce, deadline);
+        answerCallback(request, frame, nonce, patience);
         break;
       case wire::FrameKind::Thrown:
         throw SubmissionFault(fmt::format("{} threw an exception: {}", request.function, text(frame)));
       case wire::FrameKind::Refused:
-        throw SubmissionFault(refusal(frame, request.function));
+        throw refusal(frame, request.function);
       case wire::FrameKind::Died:
-        throw SubmissionFault(fmt::format("{} {}", request.function, deathText(text(frame))));
+        throw SubmissionFault(fmt::format("{} {}", request.function, deathText(text(frame))),
+                              deathOutcome(text(frame)));
       default:
         throw SubmissionFault(request.function + " answered with a malformed message");
     }
@@ -129,7 +159,7 @@ std::vector<std::byte> Session::converse(const Request& request, WorkerProcess::
 }
 
 void Session::answerCallback(const Request& request, const wire::Frame& frame, std::uint64_t nonce,
-                             WorkerProcess::Clock::time_point deadline) {
+                             const Patience& patience) {
   if (frame.header.target >= request.callbacks.size()) {
     throw SubmissionFault(request.function + " called a function that it was not given");
   }
@@ -140,7 +170,7 @@ void Session::answerCallback(const Request& request, const wire::Frame& frame, s
     throw SubmissionFault(
         fmt::format("{} called its argument with malformed values: {}", request.function, error.what()));
   }
-  worker_->send(wire::FrameKind::Answer, nonce, frame.header.target, answer, deadline, request.function);
+  worker_->send(wire::FrameKind::Answer, nonce, frame.header.target, answer, patience, request.function);
 }
 
 void Session::remember(const Request& request, const std::vector<std::byte>& reply) {

@@ -1,6 +1,6 @@
 #pragma once
-#include "course/testing/random.h"
 #include "course/check/outcome.h"
+#include "course/testing/random.h"
 #include "grader/remote/fault.h"
 #include "grader/remote/worker_process.h"
 #include "grader/wire/frame.h"
@@ -25,12 +25,6 @@ struct Request {
   std::function<std::string()> describe;  ///< the call as source
 };
 
-/// How long a student's code may take.
-struct SessionLimits {
-  std::chrono::milliseconds call{2000};
-  std::chrono::milliseconds criterion{10000};  ///< waiting for calls, summed
-};
-
 /// The conversation of one test process with one worker.
 ///
 /// Some calls are repeated later, out of order, with their old arguments: an answer that has changed is a fault, so
@@ -43,6 +37,7 @@ class Session {
     std::filesystem::path submission;
     std::uint64_t seed = 0;  ///< of the choice of repeated calls
     SessionLimits limits;
+    bool sanitised = false;  ///< `host` is the one linked with AddressSanitizer
   };
 
   explicit Session(Setup setup);
@@ -58,12 +53,18 @@ class Session {
   [[noreturn]] void fail(const SubmissionFault& fault);
 
   const std::string& fault() const { return fault_; }
-  /// The class of the fault.
-  Outcome outcome() const { return timedOutFunction_.empty() ? Outcome::Crash : Outcome::Cpu; }
+  /// The class of the fault; Outcome::Passed when there is none.
+  Outcome outcome() const { return outcome_; }
+  /// The first function that returned memory to which nothing was written; "" when none did.
+  const std::string& neverWritten() const { return neverWritten_; }
+  void noteNeverWritten(const std::string& function) {
+    if (neverWritten_.empty()) neverWritten_ = function;
+  }
   const std::string& graderFault() const { return graderFault_; }
   /// Stands for the code that runs when a file is loaded, which every function needs.
   static constexpr const char* loading = "(loading)";
-  /// The function in which time ran out, `loading`, or "".
+  /// The function that used up its processor time or waits without end, `loading`, or "". Not one that was held up by
+  /// the machine.
   const std::string& timedOutFunction() const { return timedOutFunction_; }
   std::string lastCall() const { return describeLast_ ? describeLast_() : std::string(); }
   /// Forgets the last call, so that a test's failure does not show the call of another.
@@ -72,6 +73,8 @@ class Session {
   long calls() const { return calls_; }
   /// Process id of the sandbox, 0 when no worker runs.
   pid_t workerPid() const { return worker_ ? worker_->pid() : 0; }
+  /// Process id of the program that has loaded the student's code.
+  pid_t hostPid() const { return worker_ ? worker_->hostPid() : 0; }
 
   /// A callback that threw in the test process: kept, so that it is not blamed on the student.
   void noteGraderFault(const std::string& what) { graderFault_ = what; }
@@ -84,9 +87,9 @@ class Session {
 
   std::vector<std::byte> exchange(const Request& request);
   void startWorker();
-  std::vector<std::byte> converse(const Request& request, WorkerProcess::Clock::time_point deadline);
-  void answerCallback(const Request& request, const wire::Frame& frame, std::uint64_t nonce,
-                      WorkerProcess::Clock::time_point deadline);
+  void noteFault(const SubmissionFault& fault, const std::string& function);
+  std::vector<std::byte> converse(const Request& request, const Patience& patience);
+  void answerCallback(const Request& request, const wire::Frame& frame, std::uint64_t nonce, const Patience& patience);
   void remember(const Request& request, const std::vector<std::byte>& reply);
   void repeatAnEarlierCall();
 
@@ -95,9 +98,11 @@ class Session {
   std::unique_ptr<WorkerProcess> worker_;
   std::vector<PastCall> past_;
   std::function<std::string()> describeLast_;
-  std::chrono::nanoseconds waited_{0};
+  std::chrono::nanoseconds cpuUsed_{0};
   std::string fault_;
+  Outcome outcome_ = Outcome::Passed;
   std::string graderFault_;
+  std::string neverWritten_;
   std::string timedOutFunction_;
   long calls_ = 0;
 };

@@ -1,6 +1,8 @@
 #include "grader/remote/worker_process.h"
 
 #include "grader/remote/fault.h"
+#include "grader/remote/finding_text.h"
+#include "grader/worker/sanitised.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -14,39 +16,58 @@ namespace muelle::grader {
 namespace {
 
 constexpr std::size_t outputLimit = 64 * 1024;
-constexpr auto loadingTime = std::chrono::seconds(2);
 constexpr const char* loadingCode = "the code that runs when your file is loaded";
-constexpr auto startingTime = std::chrono::seconds(20);  // for the sandbox itself on a busy machine
+constexpr auto betweenLooks = std::chrono::milliseconds(25);
+constexpr std::chrono::nanoseconds endless = std::chrono::nanoseconds::max();
 
 /// The libraries that the host program and a submission need: the worker sees these files and no folder.
-std::vector<VisibleFile> systemLibraries() {
+std::vector<VisibleFile> systemLibraries(bool sanitised) {
   std::vector<VisibleFile> files;
   files.push_back(
       {"/usr/lib64/ld-linux-x86-64.so.2", std::filesystem::canonical("/lib64/ld-linux-x86-64.so.2"), "", true});
-  for (const char* name : {"libc.so.6", "libm.so.6", "libstdc++.so.6", "libgcc_s.so.1", "libseccomp.so.2"}) {
+  std::vector<std::string> names = {"libc.so.6", "libm.so.6", "libstdc++.so.6", "libgcc_s.so.1", "libseccomp.so.2"};
+  if (sanitised) names.insert(names.end(), {"libasan.so.8", "libubsan.so.1"});
+  for (const std::string& name : names) {
     const std::filesystem::path folder = "/usr/lib/x86_64-linux-gnu";
     files.push_back({(folder / name).string(), std::filesystem::canonical(folder / name), "", true});
   }
   return files;
 }
 
-std::string signalText(int signal) {
+/// A signal that only the code itself can have caused, or that comes from outside.
+SubmissionFault signalFault(const std::string& function, int signal) {
+  const auto fault = [&function](const std::string& what, Outcome outcome) {
+    return SubmissionFault(function + " " + what, outcome);
+  };
   switch (signal) {
     case SIGSEGV:
-      return "crashed: it used memory that is not its own (segmentation fault)";
+      return fault("crashed: it used memory that is not its own (segmentation fault)", Outcome::Crash);
     case SIGFPE:
-      return "crashed: an integer division by zero (SIGFPE)";
+      return fault("crashed: an integer division by zero (SIGFPE)", Outcome::Crash);
     case SIGABRT:
-      return "called abort(): an assertion failed or memory was damaged or used up";
+      return fault("called abort(): an assertion failed or memory was damaged or used up", Outcome::Crash);
     case SIGSYS:
-      return "was stopped: it asked the operating system for something that an exercise has no need of";
-    case SIGKILL:
-      return "was killed";
+      return fault("was stopped: it asked the operating system for something that an exercise has no need of",
+                   Outcome::Forbidden);
     case SIGXCPU:
-      return "used up its processor time";
-    default:
-      return fmt::format("ended with signal {} ({})", signal, strsignal(signal));
+      return fault("used up its processor time", Outcome::Cpu);
+    case SIGBUS:
+    case SIGILL:
+    case SIGTRAP:
+    case SIGXFSZ:
+    case SIGPIPE:
+      return fault(fmt::format("ended with signal {} ({})", signal, strsignal(signal)), Outcome::Crash);
+    default:  // the worker's filter lets it send itself none of these
+      return fault(fmt::format("was killed from outside (signal {})", signal), Outcome::Killed);
   }
+}
+
+std::string memoryText(std::size_t bytes) {
+  return bytes >= 1UL << 30 ? fmt::format("{} GiB", bytes >> 30) : fmt::format("{} MiB", bytes >> 20);
+}
+
+std::string seconds(std::chrono::milliseconds time) {
+  return fmt::format("{} s", static_cast<double>(time.count()) / 1000.0);
 }
 
 std::string textOf(const wire::Frame& frame) {
@@ -61,19 +82,35 @@ std::string deathText(const std::string& cause) {
   if (cause == "segmentation fault") return "crashed: it used memory that is not its own (segmentation fault)";
   if (cause == "bus error") return "crashed (bus error)";
   if (cause == "arithmetic exception") return "crashed: an integer division by zero (SIGFPE)";
+  if (cause.starts_with(worker::sanitiserFinding)) {
+    return findingText(cause.substr(std::string_view(worker::sanitiserFinding).size()));
+  }
   return fmt::format("was stopped: it asked the operating system for '{}', which no exercise needs",
                      cause.substr(0, 60));
 }
 
-WorkerProcess::WorkerProcess(const Sandbox& sandbox, const std::filesystem::path& host,
-                             const std::filesystem::path& submission)
-    : request_(makePipe()), reply_(makePipe()), out_(makePipe()) {
+Outcome deathOutcome(const std::string& cause) {
+  for (const char* crash : {"stack overflow", "segmentation fault", "bus error", "arithmetic exception"}) {
+    if (cause == crash) return Outcome::Crash;
+  }
+  return cause.starts_with(worker::sanitiserFinding) ? Outcome::Crash : Outcome::Forbidden;
+}
+
+WorkerProcess::WorkerProcess(const Sandbox& sandbox, const WorkerHost& host, const std::filesystem::path& submission,
+                             const SessionLimits& limits)
+    : request_(makePipe()),
+      reply_(makePipe()),
+      out_(makePipe()),
+      largestMemory_(host.sanitised ? limits.sanitisedMemory : 0) {
   ignoreClosedPipes();  // a submission that dies between two calls must not take the test process with it
+  constexpr auto slack = std::chrono::seconds(3);  // our own watch comes first
+  const auto cpuSeconds = std::chrono::ceil<std::chrono::seconds>(limits.load + limits.criterion + slack);
   Confinement confinement;
-  confinement.command = {"./host", "./submission.so"};
-  confinement.files = systemLibraries();
-  confinement.files.push_back({"/host", host, "", true});
+  confinement.command = {"./host", "./submission.so", std::to_string(cpuSeconds.count())};
+  confinement.files = systemLibraries(host.sanitised);
+  confinement.files.push_back({"/host", host.program, "", true});
   confinement.files.push_back({"/submission.so", submission, "", true});
+  confinement.environment = {"GLIBC_TUNABLES=glibc.malloc.tcache_count=0"};  // or freed memory comes back unfilled
   confinement.descriptors = {{1, out_.write.get()},
                              {2, out_.write.get()},
                              {wire::requestDescriptor, request_.read.get()},
@@ -87,30 +124,56 @@ WorkerProcess::WorkerProcess(const Sandbox& sandbox, const std::filesystem::path
   reply_.write.reset();
   out_.write.reset();
   for (const int end : {request_.write.get(), reply_.read.get(), out_.read.get()}) fcntl(end, F_SETFL, O_NONBLOCK);
-  load();
+  load(limits);
 }
 
-void WorkerProcess::load() {
+/// A frame from before the first instruction of the student's.
+void WorkerProcess::expectConfined(const Patience& patience) {
   try {
-    const wire::Frame confined = receive(0, Clock::now() + startingTime, "");
-    if (confined.header.kind != wire::FrameKind::Confined) throw SubmissionFault(textOf(confined));
-  } catch (const SubmissionFault& error) {  // nothing of the student's has run yet
+    const wire::Frame frame = receive(0, patience, "the worker");
+    if (frame.header.kind == wire::FrameKind::Confined) return;
+    if (frame.header.kind == wire::FrameKind::LoadError) {
+      throw SubmissionFault("your file could not be loaded: " + textOf(frame), Outcome::Crash);
+    }
+    throw GraderFault("the worker could not confine itself: " + textOf(frame));
+  } catch (const SubmissionFault& error) {
     drainOutput();
+    if (error.outcome() == Outcome::Killed || error.outcome() == Outcome::Wall) throw;
+    if (std::string_view(error.what()).starts_with("your file")) throw;
     throw GraderFault(fmt::format("the worker could not confine itself: {} {}", error.what(), output_.substr(0, 300)));
   }
-  const wire::Frame frame = receive(0, Clock::now() + loadingTime, loadingCode);
+}
+
+void WorkerProcess::load(const SessionLimits& limits) {
+  expectConfined({endless, Clock::now() + limits.startWall, limits.startWall});
+  watch_ = ProcessWatch(child_.pid());
+  drainOutput();
+  output_.clear();  // words of the sanitizer about its surroundings: nothing of the student's has run yet
+  const Patience loading = patience(limits.load, limits.loadWall);
+  expectConfined(loading);
+  const wire::Frame frame = receive(0, loading, loadingCode);
   if (frame.header.kind == wire::FrameKind::Ready) return;
   if (frame.header.kind == wire::FrameKind::LoadError) {
-    throw SubmissionFault("your file could not be loaded: " + textOf(frame));
+    throw SubmissionFault("your file could not be loaded: " + textOf(frame), Outcome::Crash);
   }
-  if (frame.header.kind == wire::FrameKind::Died)
-    throw SubmissionFault(fmt::format("{} {}", loadingCode, deathText(textOf(frame))));
-  throw SubmissionFault(std::string(loadingCode) + " did not end properly: " + textOf(frame));
+  if (frame.header.kind == wire::FrameKind::Died) {
+    const std::string cause = textOf(frame);
+    throw SubmissionFault(fmt::format("{} {}", loadingCode, deathText(cause)), deathOutcome(cause));
+  }
+  throw SubmissionFault(std::string(loadingCode) + " did not end properly: " + textOf(frame), Outcome::Crash);
+}
+
+Patience WorkerProcess::patience(std::chrono::nanoseconds cpu, std::chrono::milliseconds wall) const {
+  return {watch_.cpu() + cpu, Clock::now() + wall, wall};
+}
+
+void WorkerProcess::end() {
+  drainOutput();
+  child_.kill();
 }
 
 void WorkerProcess::send(wire::FrameKind kind, std::uint64_t nonce, std::uint32_t target,
-                         const std::vector<std::byte>& payload, Clock::time_point deadline,
-                         const std::string& function) {
+                         const std::vector<std::byte>& payload, const Patience& patience, const std::string& function) {
   wire::FrameHeader header;
   header.kind = kind;
   header.nonce = nonce;
@@ -125,16 +188,16 @@ void WorkerProcess::send(wire::FrameKind kind, std::uint64_t nonce, std::uint32_
     if (count > 0) {
       sent += static_cast<std::size_t>(count);
     } else if (errno == EAGAIN) {
-      waitFor(request_.write.get(), POLLOUT, deadline, function);
+      waitFor(request_.write.get(), POLLOUT, patience, function);
     } else if (errno != EINTR) {
       reportEnd(function);
     }
   }
 }
 
-wire::Frame WorkerProcess::receive(std::uint64_t nonce, Clock::time_point deadline, const std::string& function) {
+wire::Frame WorkerProcess::receive(std::uint64_t nonce, const Patience& patience, const std::string& function) {
   wire::Frame frame;
-  readFully(&frame.header, sizeof frame.header, deadline, function);
+  readFully(&frame.header, sizeof frame.header, patience, function);
   if (frame.header.magic != wire::frameMagic) throw SubmissionFault(function + " answered with a malformed message");
   if (frame.header.bytes > wire::largestPayload) {
     throw SubmissionFault(fmt::format("{} answered with a message of {} bytes; the limit is {}", function,
@@ -142,14 +205,14 @@ wire::Frame WorkerProcess::receive(std::uint64_t nonce, Clock::time_point deadli
   }
   if (frame.header.nonce != nonce) throw SubmissionFault(function + " answered a question that was not asked");
   frame.payload.resize(frame.header.bytes);
-  readFully(frame.payload.data(), frame.payload.size(), deadline, function);
+  readFully(frame.payload.data(), frame.payload.size(), patience, function);
   return frame;
 }
 
-void WorkerProcess::readFully(void* data, std::size_t count, Clock::time_point deadline, const std::string& function) {
+void WorkerProcess::readFully(void* data, std::size_t count, const Patience& patience, const std::string& function) {
   auto* bytes = static_cast<char*>(data);
   while (count > 0) {
-    waitFor(reply_.read.get(), POLLIN, deadline, function);
+    waitFor(reply_.read.get(), POLLIN, patience, function);
     const ssize_t got = read(reply_.read.get(), bytes, count);
     if (got == 0) reportEnd(function);
     if (got < 0) {
@@ -161,15 +224,34 @@ void WorkerProcess::readFully(void* data, std::size_t count, Clock::time_point d
   }
 }
 
-void WorkerProcess::waitFor(int descriptor, short event, Clock::time_point deadline, const std::string& function) {
+void WorkerProcess::waitFor(int descriptor, short event, const Patience& patience, const std::string& function) {
   for (;;) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    if (left <= 0) throw SubmissionFault(function + " did not return in time", true);
+    const Clock::time_point now = Clock::now();
+    if (now - lastLook_ >= betweenLooks) {
+      lastLook_ = now;
+      look(patience, function);
+    }
     std::array<pollfd, 2> ends{pollfd{descriptor, event, 0}, pollfd{out_.read.get(), POLLIN, 0}};
-    if (poll(ends.data(), ends.size(), static_cast<int>(left)) < 0) continue;
+    if (poll(ends.data(), ends.size(), static_cast<int>(betweenLooks.count())) < 0) continue;
     if (ends[1].revents != 0) drainOutput();
     if (ends[0].revents != 0) return;
   }
+}
+
+void WorkerProcess::look(const Patience& patience, const std::string& function) {
+  if (watch_.cpu() > patience.cpu) throw SubmissionFault(function + " used up its processor time", Outcome::Cpu);
+  if (largestMemory_ > 0 && watch_.residentBytes() > largestMemory_) {
+    throw SubmissionFault(fmt::format("{} used more than {} of memory", function, memoryText(largestMemory_)),
+                          Outcome::Crash);
+  }
+  watch_.observe();
+  if (Clock::now() < patience.wall) return;
+  constexpr auto longestSleep = std::chrono::milliseconds(5000);
+  if (watch_.sleptFor(std::min(longestSleep, patience.wallSpan / 2))) {
+    throw SubmissionFault(fmt::format("{} {}", function, waitsWithoutEnd), Outcome::Crash);
+  }
+  throw SubmissionFault(fmt::format("{} did not return within {} on the clock", function, seconds(patience.wallSpan)),
+                        Outcome::Wall);
 }
 
 void WorkerProcess::drainOutput() {
@@ -193,11 +275,13 @@ void WorkerProcess::drainOutput() {
 void WorkerProcess::reportEnd(const std::string& function) {
   drainOutput();
   const auto status = child_.wait(Clock::now() + std::chrono::seconds(2));
-  if (!status) throw SubmissionFault(function + " closed its connection instead of returning");
-  // The sandbox passes a signal on as 128 + signal.
-  if (status->signalled) throw SubmissionFault(function + " " + signalText(status->code));
-  if (status->code > 128) throw SubmissionFault(function + " " + signalText(status->code - 128));
-  throw SubmissionFault(fmt::format("{} ended the program with exit({}) instead of returning", function, status->code));
+  if (!status) throw SubmissionFault(function + " closed its connection instead of returning", Outcome::Crash);
+  // The sandbox passes a signal on as 128 + signal; the worker's filter lets no code choose such a status.
+  if (status->signalled) throw signalFault(function, status->code);
+  constexpr int everyBit = 255;  // exit(-1)
+  if (status->code > 128 && status->code != everyBit) throw signalFault(function, status->code - 128);
+  throw SubmissionFault(fmt::format("{} ended the program with exit({}) instead of returning", function, status->code),
+                        Outcome::Crash);
 }
 
 }  // namespace muelle::grader

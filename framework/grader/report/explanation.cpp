@@ -18,9 +18,6 @@ constexpr std::size_t outputBytes = 8 * 1024;
 
 std::string line(const std::string& text) { return cut(printableLine(text), shownBytes); }
 
-constexpr const char* neverWrittenSays =
-    "it returned memory to which nothing was written: give every variable and every entry a value before you use it";
-
 const Verdict* verdictOf(const Criterion& criterion, const GradedExercise& exercise) {
   const auto found = exercise.verdicts.find(criterion.suite);
   return found == exercise.verdicts.end() ? nullptr : &found->second;
@@ -126,7 +123,9 @@ Explanation explain(const Criterion& criterion, const GradedExercise& exercise) 
   if (explanation.state == State::Passed) return explanation;
   const Verdict& verdict = *verdictOf(criterion, exercise);
   const Manifest& manifest = exercise.manifest;
-  if (verdict.outcome == Outcome::NeverWritten) explanation.neverWritten = neverWrittenSays;
+  if (verdict.outcome == Outcome::NeverWritten)
+    explanation.neverWritten =
+        line(fmt::format("{} {}", verdict.neverWritten.empty() ? "it" : verdict.neverWritten, neverWrittenSentence()));
   if (manifest.feedback != FeedbackLevel::Criterion) explanation.mistakes = mistakesOf(verdict, manifest);
   explanation.fault = line(verdict.fault);
   explanation.tests = failedTests(verdict, manifest.feedback);

@@ -1,6 +1,7 @@
 #include "grader/sandbox/bubblewrap.h"
 
 #include "grader/sandbox/handover.h"
+#include "grader/sandbox/staging.h"
 
 #include <sys/stat.h>
 #include <stdexcept>
@@ -22,6 +23,13 @@ void addSystemLinks(std::vector<std::string>& command) {
   }
 }
 
+void addEnvironment(std::vector<std::string>& command, const std::vector<std::string>& environment) {
+  for (const std::string& entry : environment) {
+    const std::size_t sign = entry.find('=');
+    append(command, {"--setenv", entry.substr(0, sign), entry.substr(sign + 1)});
+  }
+}
+
 }  // namespace
 
 Sandbox::Prepared Bubblewrap::prepare(const Confinement& confinement) const {
@@ -30,6 +38,7 @@ Sandbox::Prepared Bubblewrap::prepare(const Confinement& confinement) const {
   spec.command = unprivilegedPrefix();
   append(spec.command, {program, "--unshare-all", "--die-with-parent", "--new-session", "--clearenv", "--setenv",
                         "PATH", "/usr/bin", "--chdir", "/", "--hostname", "muelle"});
+  addEnvironment(spec.command, confinement.environment);
   addSystemLinks(spec.command);
   for (const std::string& folder : confinement.systemFolders) append(spec.command, {"--ro-bind", folder, folder});
   for (const auto& [ours, inside] : confinement.renamedFolders) append(spec.command, {"--ro-bind", ours, inside});
@@ -39,6 +48,10 @@ Sandbox::Prepared Bubblewrap::prepare(const Confinement& confinement) const {
   spec.descriptors = confinement.descriptors;
   int number = firstHandoverDescriptor;
   for (const VisibleFile& file : confinement.files) {
+    if (isSystemFile(file)) {  // everybody may read it: nothing to copy at every start
+      append(spec.command, {"--ro-bind", file.source.string(), file.inside});
+      continue;
+    }
     prepared.handedOver.push_back(openForHandover(file));
     spec.descriptors[number] = prepared.handedOver.back().get();
     append(spec.command,

@@ -48,7 +48,8 @@ Sandbox::Prepared Landlock::prepare(const Confinement& confinement) const {
   append(spec.command, {"--"});
   spec.command.insert(spec.command.end(), confinement.command.begin(), confinement.command.end());
   spec.descriptors = confinement.descriptors;
-  spec.environment = {"PATH=/usr/bin", "TMPDIR=" + staging->scratch().string()};
+  spec.environment = confinement.environment;
+  append(spec.environment, {"PATH=/usr/bin", "TMPDIR=" + staging->scratch().string()});
   spec.limits = confinement.limits;
   constexpr unsigned mostProcesses = 64;  // counted by user id, so only where that is nobody else's
   if (root && spec.limits.processes == 0) spec.limits.processes = mostProcesses;

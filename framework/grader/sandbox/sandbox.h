@@ -23,6 +23,7 @@ struct VisibleFile {
 struct Confinement {
   std::vector<std::string> command;  ///< paths inside
   std::vector<VisibleFile> files;
+  std::vector<std::string> environment;               ///< "NAME=value", and nothing else but PATH
   std::vector<std::string> systemFolders;             ///< seen read-only under their own names: "/usr/include"
   std::map<std::string, std::string> renamedFolders;  ///< ours -> inside, seen read-only
   std::size_t scratchBytes = 0;                       ///< size of a writable /tmp; 0: none

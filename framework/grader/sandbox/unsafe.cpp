@@ -14,7 +14,9 @@ Sandbox::Prepared Unsafe::prepare(const Confinement& confinement) const {
   Prepared prepared;
   prepared.spec.command = confinement.command;
   prepared.spec.descriptors = confinement.descriptors;
-  prepared.spec.environment = {"PATH=/usr/bin", "TMPDIR=" + staging->scratch().string()};
+  prepared.spec.environment = confinement.environment;
+  prepared.spec.environment.emplace_back("PATH=/usr/bin");
+  prepared.spec.environment.push_back("TMPDIR=" + staging->scratch().string());
   prepared.spec.limits = confinement.limits;
   prepared.spec.workingDirectory = staging->path();
   prepared.keepAlive = staging;

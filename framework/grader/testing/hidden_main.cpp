@@ -2,7 +2,6 @@
 /// The main of every hidden test program: grades one criterion and writes its record, or draws the demo's curves.
 /// No code of a student is ever loaded here; submission::f is a call to a worker.
 
-#include "course/testing/never_written.h"
 #include "course/testing/random.h"
 #include "figures/write.h"
 #include "grader/record.h"
@@ -22,7 +21,6 @@ std::vector<muelle::Figure> muelleReferenceDemo();
 namespace {
 
 using namespace muelle::grader;
-using muelle::Mismatch;
 using muelle::Outcome;
 
 struct Options {
@@ -90,11 +88,7 @@ Outcome outcomeOf(const Verdict& verdict, const Session& session) {
   const bool allPassed =
       std::all_of(verdict.tests.begin(), verdict.tests.end(), [](const TestOutcome& test) { return test.passed; });
   if (allPassed) return Outcome::Passed;
-  const auto isFill = [](const Mismatch& mismatch) { return muelle::isFill(mismatch.got); };
-  const bool neverWritten = std::any_of(verdict.tests.begin(), verdict.tests.end(), [&](const TestOutcome& test) {
-    return std::any_of(test.mismatches.begin(), test.mismatches.end(), isFill);
-  });
-  return neverWritten ? Outcome::NeverWritten : Outcome::Wrong;
+  return session.neverWritten().empty() ? Outcome::Wrong : Outcome::NeverWritten;
 }
 
 void diagnose(Verdict& verdict) {
@@ -118,7 +112,9 @@ int run(int argc, char** argv) {
   const Options options = readOptions(argc, argv);
   const CorePin pin(options.coreLocks);
   const auto sandbox = settledSandbox(parseSandboxChoice(options.sandbox));
-  Session session({sandbox.get(), options.host, options.worker, options.seed, {}});
+  SessionLimits limits;
+  limits.callWall = limits.loadWall = limits.startWall = std::chrono::milliseconds(options.wallMilliseconds);
+  Session session({sandbox.get(), options.host, options.worker, options.seed, limits, options.sanitised});
   Session::setCurrent(&session);
   muelle::setTestSeed(options.seed);
 
@@ -129,6 +125,7 @@ int run(int argc, char** argv) {
   if (options.figures.empty()) {
     grade(options, session, verdict);
     verdict.outcome = outcomeOf(verdict, session);
+    verdict.neverWritten = session.neverWritten();
     diagnose(verdict);
   } else {
     try {

@@ -15,7 +15,7 @@ enum class FrameKind : std::uint32_t {
   Refused = 8,     ///< worker: an assertion of Eigen refused an operation; payload: condition, function, index by lines
   Died = 9,        ///< worker: a signal ended it; payload: "stack overflow", or the forbidden system call's name
   HostError = 10,  ///< worker: the host could not confine itself; the grader's fault
-  Confined = 11,   ///< worker: the filter stands; whatever comes later may be the student's word
+  Confined = 11,   ///< worker: a filter stands; after the second, whatever comes may be the student's word
 };
 
 /// Precedes every message. The nonce is fresh and random for each call; every frame of that call repeats it.

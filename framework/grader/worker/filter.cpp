@@ -1,13 +1,19 @@
 #include "grader/worker/filter.h"
 
+#include "grader/worker/sanitised.h"
+
+#include <fcntl.h>
 #include <seccomp.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <unistd.h>
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 namespace muelle::grader::worker {
 
@@ -15,18 +21,24 @@ namespace {
 
 /// Arithmetic, memory, the message pipes, and an orderly or violent end.
 constexpr std::array runningCalls = {
-    SCMP_SYS(read),         SCMP_SYS(write),         SCMP_SYS(brk),          SCMP_SYS(munmap),
-    SCMP_SYS(mremap),       SCMP_SYS(madvise),       SCMP_SYS(futex),        SCMP_SYS(exit_group),
-    SCMP_SYS(exit),         SCMP_SYS(getpid),        SCMP_SYS(gettid),       SCMP_SYS(rt_sigprocmask),
-    SCMP_SYS(rt_sigreturn), SCMP_SYS(clock_gettime), SCMP_SYS(gettimeofday), SCMP_SYS(time),
-    SCMP_SYS(getrandom),    SCMP_SYS(fstat),         SCMP_SYS(newfstatat),   SCMP_SYS(restart_syscall),
+    SCMP_SYS(read),          SCMP_SYS(write),        SCMP_SYS(brk),       SCMP_SYS(munmap),
+    SCMP_SYS(mremap),        SCMP_SYS(madvise),      SCMP_SYS(futex),     SCMP_SYS(getpid),
+    SCMP_SYS(gettid),        SCMP_SYS(gettimeofday), SCMP_SYS(time),      SCMP_SYS(getrandom),
+    SCMP_SYS(clock_gettime), SCMP_SYS(fstat),        SCMP_SYS(newfstatat), SCMP_SYS(restart_syscall),
     SCMP_SYS(sched_yield),
 };
 
-/// What the dynamic loader adds while it loads a shared object.
+/// What the dynamic loader adds while it maps a shared object, and the second filter.
 constexpr std::array loadingCalls = {
-    SCMP_SYS(openat), SCMP_SYS(close), SCMP_SYS(pread64), SCMP_SYS(lseek), SCMP_SYS(seccomp),
+    SCMP_SYS(close), SCMP_SYS(pread64), SCMP_SYS(lseek), SCMP_SYS(seccomp),
 };
+
+/// What AddressSanitizer adds while a program runs: it looks at its limits and signal stack.
+constexpr std::array sanitiserCalls = {SCMP_SYS(sigaltstack), SCMP_SYS(getrlimit)};
+
+/// A call that nobody needs, answered by the running filter with an error of its own: the proof that it stands.
+constexpr int probeCall = SCMP_SYS(getpgrp);
+constexpr int probeAnswer = EXFULL;
 
 /// What a program without bad intentions may try; named in the message.
 constexpr std::array namedCalls = {
@@ -55,6 +67,21 @@ constexpr std::array namedCalls = {
     SCMP_SYS(getppid),
     SCMP_SYS(readlink),
     SCMP_SYS(pipe2),
+    SCMP_SYS(truncate),
+    SCMP_SYS(ftruncate),
+    SCMP_SYS(unlinkat),
+    SCMP_SYS(rename),
+    SCMP_SYS(renameat),
+    SCMP_SYS(renameat2),
+    SCMP_SYS(chmod),
+    SCMP_SYS(fchmod),
+    SCMP_SYS(fchmodat),
+    SCMP_SYS(mkdir),
+    SCMP_SYS(mkdirat),
+    SCMP_SYS(link),
+    SCMP_SYS(symlink),
+    SCMP_SYS(seccomp),
+    SCMP_SYS(prctl),
 };
 
 /// A libseccomp filter, freed with its owner.
@@ -69,8 +96,18 @@ class Filter {
     for (const int call : calls) check(seccomp_rule_add(context_.get(), action, call, 0));
   }
 
-  void add(std::uint32_t action, int call, const scmp_arg_cmp& condition) {
-    check(seccomp_rule_add(context_.get(), action, call, 1, condition));
+  /// Every condition must hold. \param conditions on different arguments
+  void add(std::uint32_t action, int call, const std::vector<scmp_arg_cmp>& conditions) {
+    check(seccomp_rule_add_array(context_.get(), action, call, static_cast<unsigned>(conditions.size()),
+                                 conditions.data()));
+  }
+
+  /// Raises SIGSYS for named calls. \param except those with rules of their own, which a rule for all arguments
+  /// would replace
+  void addTraps(const std::vector<int>& except) {
+    for (const int call : namedCalls) {
+      if (std::find(except.begin(), except.end(), call) == except.end()) add(SCMP_ACT_TRAP, std::array{call});
+    }
   }
 
   void load() { check(seccomp_load(context_.get())); }
@@ -86,38 +123,75 @@ class Filter {
   std::unique_ptr<void, decltype(&seccomp_release)> context_;
 };
 
-/// Signals go to this process only (abort() raises one), memory is never executable after loading.
-void addGuardedCalls(Filter& filter, bool executableMemory) {
+/// The one signal that a process may send to itself is abort()'s: no submission can look as if the machine had killed
+/// it. No signal can be put off, SIGXCPU least: changing the mask does nothing, and the handlers never return.
+void addSignals(Filter& filter) {
   const auto self = static_cast<scmp_datum_t>(getpid());
-  filter.add(SCMP_ACT_ALLOW, SCMP_SYS(tgkill), SCMP_A0(SCMP_CMP_EQ, self));
-  for (const int call : {SCMP_SYS(mmap), SCMP_SYS(mprotect)}) {
-    const scmp_datum_t mask = executableMemory ? 0 : PROT_EXEC;
-    filter.add(SCMP_ACT_ALLOW, call, SCMP_A2(SCMP_CMP_MASKED_EQ, mask, 0));
+  filter.add(SCMP_ACT_ALLOW, SCMP_SYS(tgkill), {SCMP_A0(SCMP_CMP_EQ, self), SCMP_A2(SCMP_CMP_EQ, SIGABRT)});
+  filter.add(SCMP_ACT_ERRNO(0), std::array{SCMP_SYS(rt_sigprocmask)});
+}
+
+/// A sandbox passes a signal on as the exit status 128 + signal, so no such status may be chosen; exit(-1) may.
+void addEnds(Filter& filter) {
+  for (const int call : {SCMP_SYS(exit_group), SCMP_SYS(exit)}) {
+    filter.add(SCMP_ACT_ALLOW, call, {SCMP_A0(SCMP_CMP_MASKED_EQ, 0x80, 0)});
+    filter.add(SCMP_ACT_ALLOW, call, {SCMP_A0(SCMP_CMP_MASKED_EQ, 0xff, 0xff)});
   }
+}
+
+/// Memory is never executable once a submission runs.
+void addMemory(Filter& filter, bool executable) {
+  for (const int call : {SCMP_SYS(mmap), SCMP_SYS(mprotect)}) {
+    const scmp_datum_t mask = executable ? 0 : PROT_EXEC;
+    filter.add(SCMP_ACT_ALLOW, call, {SCMP_A2(SCMP_CMP_MASKED_EQ, mask, 0)});
+  }
+}
+
+/// What both filters hold.
+void addCommonRules(Filter& filter, bool executableMemory) {
+  filter.add(SCMP_ACT_ALLOW, runningCalls);
+  if (isSanitised) filter.add(SCMP_ACT_ALLOW, sanitiserCalls);
+  addSignals(filter);
+  addEnds(filter);
+  addMemory(filter, executableMemory);
+}
+
+std::unique_ptr<Filter> makeRunningFilter() {
+  auto filter = std::make_unique<Filter>(SCMP_ACT_KILL_PROCESS);
+  addCommonRules(*filter, false);
+  filter->add(SCMP_ACT_ERRNO(probeAnswer), std::array{probeCall});
+  filter->addTraps({});
+  return filter;
+}
+
+std::unique_ptr<Filter>& runningFilter() {
+  static std::unique_ptr<Filter> filter;
+  return filter;
 }
 
 }  // namespace
 
 void installLoadingFilter() {
+  runningFilter() = makeRunningFilter();
   Filter filter(SCMP_ACT_KILL_PROCESS);
-  filter.add(SCMP_ACT_ALLOW, runningCalls);
+  addCommonRules(filter, true);
   filter.add(SCMP_ACT_ALLOW, loadingCalls);
-  addGuardedCalls(filter, true);
+  filter.add(SCMP_ACT_ALLOW, std::array{probeCall});
+  // The loader only reads: nothing outside can be made, cut or changed even where no sandbox stands around.
+  constexpr scmp_datum_t writing = O_ACCMODE | O_CREAT | O_TRUNC | O_APPEND | (O_TMPFILE & ~O_DIRECTORY);
+  filter.add(SCMP_ACT_ALLOW, SCMP_SYS(openat), {SCMP_A2(SCMP_CMP_MASKED_EQ, writing, 0)});
   // Loading the second filter says so once more; no other attribute of the process may change, its death signal least.
-  filter.add(SCMP_ACT_ALLOW, SCMP_SYS(prctl), SCMP_A0(SCMP_CMP_EQ, PR_SET_NO_NEW_PRIVS));
-  for (const int call : namedCalls) {
-    if (call == SCMP_SYS(openat) || call == SCMP_SYS(close)) continue;
-    filter.add(SCMP_ACT_TRAP, std::array{call});
-  }
+  filter.add(SCMP_ACT_ALLOW, SCMP_SYS(prctl), {SCMP_A0(SCMP_CMP_EQ, PR_SET_NO_NEW_PRIVS)});
+  filter.addTraps({SCMP_SYS(openat), SCMP_SYS(close), SCMP_SYS(seccomp), SCMP_SYS(prctl)});
   filter.load();
 }
 
 void installRunningFilter() {
-  Filter filter(SCMP_ACT_KILL_PROCESS);
-  filter.add(SCMP_ACT_ALLOW, runningCalls);
-  addGuardedCalls(filter, false);
-  filter.add(SCMP_ACT_TRAP, namedCalls);
-  filter.load();
+  runningFilter()->load();
+  errno = 0;
+  if (syscall(probeCall) != -1 || errno != probeAnswer) {
+    throw std::runtime_error("the worker's second filter of system calls does not hold");
+  }
 }
 
 const char* systemCallName(int number) {

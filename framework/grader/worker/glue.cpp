@@ -6,6 +6,11 @@
 
 #include <exception>
 
+namespace std {
+[[noreturn]] void __glibcxx_assert_fail(const char* file, int line, const char* function,
+                                        const char* condition) noexcept;
+}
+
 namespace {
 
 muelle::grader::worker::HostPort* currentPort = nullptr;
@@ -15,6 +20,14 @@ muelle::grader::worker::HostPort* currentPort = nullptr;
 void muelle::eigenAssertionFailed(const char* condition, const char* function, AssertedIndex index) {
   if (currentPort != nullptr) currentPort->refuse(condition, function, index.known, index.value);
   std::abort();  // an assertion in a constructor, before the first call
+}
+
+/// The standard library's own checks of indices (_GLIBCXX_ASSERTIONS) end here, in place of the library's function.
+[[noreturn]] void std::__glibcxx_assert_fail(const char* /*file*/, int /*line*/, const char* function,
+                                             const char* condition) noexcept {
+  const std::string where = muelle::grader::worker::standardLibrary + std::string(function != nullptr ? function : "");
+  if (currentPort != nullptr) currentPort->refuse(condition != nullptr ? condition : "", where, false, 0);
+  std::abort();
 }
 
 extern "C" __attribute__((visibility("default"))) muelle::grader::worker::Served muelleServe(

@@ -7,12 +7,15 @@
 
 namespace muelle::grader::worker {
 
+/// Before the name of a function of the standard library that asserts; Eigen's have none before theirs.
+inline constexpr const char* standardLibrary = "std: ";
+
 /// What the host process lends to the code that it has loaded.
 class HostPort {
  public:
   /// Asks the test process to evaluate its function `id`; returns the encoded answer.
   virtual std::vector<std::byte> callback(std::uint32_t id, const std::vector<std::byte>& arguments) = 0;
-  /// Reports that an assertion of Eigen refused an operation, and ends the process.
+  /// Reports that an assertion of Eigen or of the standard library refused an operation, and ends the process.
   [[noreturn]] virtual void refuse(const std::string& condition, const std::string& function, bool indexKnown,
                                    long index) = 0;
 

@@ -5,11 +5,15 @@
 /// Whatever happens in this process after the load is the student's word; the test process believes none of it.
 
 #include "grader/wire/frame.h"
+#include "grader/worker/death.h"
 #include "grader/worker/filter.h"
+#include "grader/worker/filter_at_load.h"
 #include "grader/worker/glue.h"
 #include "grader/worker/limits.h"
+#include "grader/worker/sanitised.h"
 
 #include <dlfcn.h>
+#include <malloc.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 #include <csignal>
@@ -83,10 +87,11 @@ class Port : public worker::HostPort {
   }
 };
 
-void sendDeath(const char* text) {
+[[noreturn]] void die(const char* cause) {
   std::size_t length = 0;
-  while (text[length] != '\0') ++length;
-  send(wire::FrameKind::Died, currentNonce, 0, text, length);
+  while (cause[length] != '\0') ++length;
+  send(wire::FrameKind::Died, currentNonce, 0, cause, length);
+  _exit(failure);
 }
 
 /// A fault near the stack pointer is a stack that has outgrown its limit.
@@ -97,13 +102,10 @@ void onFault(int signal, siginfo_t* info, void* context) {
   constexpr std::uintptr_t near = 64UL * 1024;
   const bool overflow = address + near > stackPointer && address < stackPointer + near;
   if (signal == SIGSYS) {
-    sendDeath(worker::systemCallName(info->si_syscall));
-  } else if (signal == SIGSEGV && overflow) {
-    sendDeath("stack overflow");
-  } else {
-    sendDeath(signal == SIGSEGV ? "segmentation fault" : signal == SIGBUS ? "bus error" : "arithmetic exception");
+    die(worker::systemCallName(info->si_syscall));
   }
-  _exit(128 + signal);
+  if (signal == SIGSEGV && overflow) die("stack overflow");
+  die(signal == SIGSEGV ? "segmentation fault" : signal == SIGBUS ? "bus error" : "arithmetic exception");
 }
 
 void installHandlers() {
@@ -117,6 +119,23 @@ void installHandlers() {
   action.sa_sigaction = onFault;
   action.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_RESETHAND;
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGSYS}) sigaction(signal, &action, nullptr);
+}
+
+/// The loader has mapped the submission; nothing of it has run.
+void switchFilters() {
+  try {
+    worker::installRunningFilter();
+    send(wire::FrameKind::Confined, 0, 0, nullptr, 0);
+  } catch (const std::exception& error) {
+    sendText(wire::FrameKind::HostError, 0, error.what());
+    _exit(failure);
+  }
+}
+
+/// Memory from new and malloc holds the same senseless bytes at every run, so that reading what was never written gives
+/// no right answer by chance. AddressSanitizer has an allocator of its own.
+void fillFreshMemory() {
+  if (!worker::isSanitised) mallopt(M_PERTURB, 0x01);  // fresh memory gets the complement, 0xfe
 }
 
 void serveForEver(worker::ServeFunction serve) {
@@ -142,16 +161,20 @@ void serveForEver(worker::ServeFunction serve) {
 
 }  // namespace
 
+void muelle::grader::worker::dieSaying(const char* cause) { die(cause); }
+
 int main(int argc, char** argv) {
-  if (argc != 2) return failure;
+  if (argc != 3) return failure;
   std::string file;  // absolute: the loader would ask for the working folder, which the filter forbids
   try {
     file = std::filesystem::absolute(argv[1]).string();
     worker::systemCallName(0);  // builds the table while allocating is still safe
     prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
     prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);
-    worker::applyLimits();
+    worker::applyLimits(static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10)));
     installHandlers();
+    worker::callWhenMapped(switchFilters);
+    fillFreshMemory();
     worker::installLoadingFilter();
   } catch (const std::exception& error) {
     sendText(wire::FrameKind::HostError, 0, error.what());
@@ -163,12 +186,15 @@ int main(int argc, char** argv) {
     sendText(wire::FrameKind::LoadError, 0, dlerror());
     return 0;
   }
+  if (!worker::mappedActionCalled()) {
+    sendText(wire::FrameKind::HostError, 0, "the second filter of system calls was not installed");
+    return failure;
+  }
   const auto serve = reinterpret_cast<worker::ServeFunction>(dlsym(submission, worker::serveSymbol));
   if (serve == nullptr) {
     sendText(wire::FrameKind::LoadError, 0, "the submission has no entry point");
     return 0;
   }
-  worker::installRunningFilter();
   send(wire::FrameKind::Ready, 0, 0, nullptr, 0);
   serveForEver(serve);
 }

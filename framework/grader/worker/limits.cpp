@@ -1,5 +1,7 @@
 #include "grader/worker/limits.h"
 
+#include "grader/worker/sanitised.h"
+
 #include <sys/resource.h>
 #include <stdexcept>
 
@@ -7,17 +9,18 @@ namespace muelle::grader::worker {
 
 namespace {
 
-void limit(__rlimit_resource resource, rlim_t value) {
-  const rlimit both{value, value};
+void limit(__rlimit_resource resource, rlim_t value, rlim_t above = 0) {
+  const rlimit both{value, value + above};
   if (setrlimit(resource, &both) != 0) throw std::runtime_error("setrlimit refused a limit");
 }
 
 }  // namespace
 
-void applyLimits() {
-  limit(RLIMIT_AS, addressSpace);
+void applyLimits(unsigned cpuSeconds) {
+  constexpr rlim_t grace = 5;  // [s]
+  if (!isSanitised) limit(RLIMIT_AS, addressSpace);
   limit(RLIMIT_STACK, stack);
-  limit(RLIMIT_CPU, cpuSeconds);
+  limit(RLIMIT_CPU, cpuSeconds, grace);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, 0);
   limit(RLIMIT_MEMLOCK, 0);

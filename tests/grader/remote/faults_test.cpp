@@ -4,7 +4,9 @@
 #include "fixture.h"
 #include "fixture_session.h"
 #include "misbehaviour.h"
+#include "process_status.h"
 
+#include <sched.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -13,7 +15,9 @@
 
 namespace {
 
+using muelle::Outcome;
 using muelle::grader::Session;
+using muelle::grader::ProcessStatus;
 using muelle::grader::SessionLimits;
 using muelle::grader::SubmissionFault;
 using std::chrono::milliseconds;
@@ -21,12 +25,16 @@ using std::chrono::milliseconds;
 struct Fault {
   misbehaviour::How how;
   const char* says;
+  Outcome outcome = Outcome::Wrong;
 };
 
 class Misbehaviour : public muelle::grader::FixtureSession, public ::testing::WithParamInterface<Fault> {};
 
 TEST_P(Misbehaviour, IsNamedAndEndsTheSession) {
-  start({milliseconds(600), milliseconds(10000)});
+  SessionLimits limits;
+  limits.call = milliseconds(600);
+  limits.callWall = milliseconds(1500);
+  start(limits);
   EXPECT_EQ(submission::sum(1, 2, false), 3);
   const auto begin = std::chrono::steady_clock::now();
   std::string words;
@@ -41,6 +49,7 @@ TEST_P(Misbehaviour, IsNamedAndEndsTheSession) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(8));
   EXPECT_EQ(session().graderFault(), "");
   EXPECT_EQ(session().fault(), words);
+  EXPECT_EQ(session().outcome(), GetParam().outcome) << nameOf(session().outcome());
   EXPECT_THROW(submission::sum(1, 2, false), SubmissionFault) << "nothing is believed afterwards";
 }
 
@@ -49,20 +58,27 @@ INSTANTIATE_TEST_SUITE_P(
     Each, Misbehaviour,
     ::testing::Values(Fault{Throw, "misbehave threw an exception: the spring is broken"},
                       Fault{ThrowNumber, "threw an exception: an object that is no std::exception"},
-                      Fault{IndexOutOfRange, "index 3 of a 3-vector in misbehave"},
-                      Fault{StackOverflow, "misbehave ran out of stack"},
-                      Fault{NullPointer, "misbehave crashed: it used memory that is not its own"},
-                      Fault{DivideByZero, "misbehave crashed: an integer division by zero"},
-                      Fault{Exit, R"(misbehave ended the program with exit\(0\))"},
-                      Fault{Abort, R"(misbehave called abort\(\))"},
-                      Fault{Loop, "misbehave did not return within 0.6 s"},
-                      Fault{StopItself, "misbehave did not return within 0.6 s"},
+                      Fault{IndexOutOfRange, "index 3 of a 3-vector in misbehave", Outcome::Crash},
+                      Fault{StackOverflow, "misbehave ran out of stack", Outcome::Crash},
+                      Fault{NullPointer, "misbehave crashed: it used memory that is not its own", Outcome::Crash},
+                      Fault{DivideByZero, "misbehave crashed: an integer division by zero", Outcome::Crash},
+                      Fault{Exit, R"(misbehave ended the program with exit\(0\))", Outcome::Crash},
+                      Fault{Abort, R"(misbehave called abort\(\))", Outcome::Crash},
+                      Fault{Loop, "misbehave did not return within 0.6 s of processor time", Outcome::Cpu},
+                      Fault{StopItself, "misbehave was stopped", Outcome::Forbidden},
+                      Fault{KillItself, "misbehave was stopped", Outcome::Forbidden},
+                      Fault{ExitAsIfKilled, "misbehave was stopped", Outcome::Forbidden},
+                      Fault{LockTwice, "misbehave waits without end", Outcome::Crash},
+                      Fault{ReadThePipe, "misbehave waits without end", Outcome::Crash},
+                      Fault{PutSignalsOff, "misbehave did not return within 0.6 s of processor time", Outcome::Cpu},
+                      Fault{VectorIndex, "misbehave used an index beyond the end of a std::vector", Outcome::Crash},
+                      Fault{InstallFilter, "'seccomp'", Outcome::Forbidden},
                       Fault{HugeFrame, "a message of 4294967295 bytes"},
                       Fault{WrongNonce, "misbehave answered a question that was not asked"},
                       Fault{UnknownCallback, "called a function that it was not given"},
                       Fault{ShortAnswer, "returned something else than its type"},
-                      Fault{DieBetweenCalls, R"(ended the program with exit\(0\))"}, Fault{Fork, "'(clone|fork)'"},
-                      Fault{Socket, "'socket'"}, Fault{Open, "'openat'"}, Fault{Sleep, "'(clock_)?nanosleep'"}),
+                      Fault{DieBetweenCalls, R"(ended the program with exit\(0\))", Outcome::Crash}, Fault{Fork, "'(clone|fork)'", Outcome::Forbidden},
+                      Fault{Socket, "'socket'", Outcome::Forbidden}, Fault{Open, "'openat'", Outcome::Forbidden}, Fault{Sleep, "'(clock_)?nanosleep'", Outcome::Forbidden}),
     [](const auto& fault) { return "How" + std::to_string(fault.param.how); });
 
 using Faults = muelle::grader::FixtureSession;
@@ -89,20 +105,20 @@ TEST_F(Faults, MalformedCallbackIsTheStudents) {
 }
 
 TEST_F(Faults, CallsThatAreSlowTogetherRunOutOfTheCriterionsTime) {
-  start({milliseconds(5000), milliseconds(300)});
+  SessionLimits limits;
+  limits.call = milliseconds(5000);
+  limits.criterion = milliseconds(150);
+  start(limits);
   int calls = 0;
-  const auto slow = [&calls](double x) {
-    ++calls;
-    usleep(2000);
-    return x;
-  };
-  const auto many = [&slow] {
-    for (int i = 0; i < 10'000; ++i) submission::callTwice(slow, i);
+  const auto many = [&calls] {
+    for (int i = 0; i < 100'000; ++i, ++calls) submission::wrongSize(100'000 + i);
   };
   EXPECT_THROW(many(), SubmissionFault);
-  EXPECT_NE(session().fault().find("took more than 0.3 s together"), std::string::npos) << session().fault();
-  EXPECT_EQ(session().timedOutFunction(), "callTwice");
-  EXPECT_LT(calls, 400);
+  EXPECT_NE(session().fault().find("took more than 0.15 s of processor time together"), std::string::npos)
+      << session().fault();
+  EXPECT_EQ(session().outcome(), Outcome::Cpu);
+  EXPECT_EQ(session().timedOutFunction(), "wrongSize");
+  EXPECT_GT(calls, 1);
 }
 
 TEST_F(Faults, LastCallIsShownWithItsInput) {
@@ -112,7 +128,7 @@ TEST_F(Faults, LastCallIsShownWithItsInput) {
 
 TEST_F(Faults, DyingBetweenTwoCallsDoesNotTakeTheTestProcessWithIt) {
   EXPECT_EQ(submission::misbehave(DieBetweenCalls), 1) << "the forged answer came before the end";
-  usleep(300'000);  // until nobody reads the pipe any more
+  while (!ProcessStatus(session().hostPid()).field("State").empty()) sched_yield();  // until nobody reads the pipe
   EXPECT_THROW(submission::sum(1, 2, false), SubmissionFault);
 }
 

@@ -113,7 +113,7 @@ TEST_F(WorkerDuringACall, IsBoundedByLimits) {
     EXPECT_EQ(host.limits("Max core file size"), "0 0");
     EXPECT_EQ(host.limits("Max file size"), "0 0");
     EXPECT_EQ(host.limits("Max open files"), "16 16");
-    EXPECT_EQ(host.limits("Max cpu time"), "20 20");
+    EXPECT_EQ(host.limits("Max cpu time"), "15 20");
   });
 }
 
