@@ -26,6 +26,7 @@ inline constexpr const char* classStyle = R"css(
 
 .exercises li, .hardest li { display: grid; grid-template-columns: 1fr 10rem 6.5rem; gap: .1rem 1.25rem;
   align-items: center; }
+.hardest li { grid-template-columns: 1fr 10rem 9rem; }
 .exercises .soft, .hardest .soft { display: block; }
 .mistakes li { display: grid; grid-template-columns: 3.5rem 1fr; gap: 1rem; align-items: baseline; }
 .mistakes .points { font-size: 1.15rem; }
