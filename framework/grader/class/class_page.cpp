@@ -102,7 +102,7 @@ std::string tableHead(const GradedClass& graded) {
                         escapeHtml(manifest.topic), showPoints(maxPoints(manifest)));
   }
   return html +
-         fmt::format("<th scope=\"col\" class=\"total\">Total<span class=\"soft\">/ {}</span></th></tr>\n</thead>\n",
+         fmt::format("<th scope=\"col\" class=\"sum\">Total<span class=\"soft\">/ {}</span></th></tr>\n</thead>\n",
                      showPoints(graded.maxPoints()));
 }
 
@@ -118,8 +118,8 @@ std::string tableRow(const ClassRow& row, const GradedClass& graded) {
   std::string html = fmt::format("<tr><th scope=\"row\">{}</th>", nameOf(row));
   for (const Manifest& manifest : graded.course) html += cell(row.exercise(manifest.topic));
   const std::optional<double> points = row.points();
-  return html + (points ? fmt::format("<td class=\"total\">{}</td></tr>\n", showPoints(*points))
-                        : "<td class=\"total none\">no score</td></tr>\n");
+  return html + (points ? fmt::format("<td class=\"sum\">{}</td></tr>\n", showPoints(*points))
+                        : "<td class=\"sum none\">no score</td></tr>\n");
 }
 
 std::string students(const GradedClass& graded) {

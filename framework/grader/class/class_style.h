@@ -26,6 +26,7 @@ inline constexpr const char* classStyle = R"css(
 
 .exercises li, .hardest li { display: grid; grid-template-columns: 1fr 10rem 6.5rem; gap: .1rem 1.25rem;
   align-items: center; }
+.hardest li { grid-template-columns: 1fr 10rem 9rem; }
 .exercises .soft, .hardest .soft { display: block; }
 .mistakes li { display: grid; grid-template-columns: 3.5rem 1fr; gap: 1rem; align-items: baseline; }
 .mistakes .points { font-size: 1.15rem; }
@@ -39,13 +40,13 @@ thead th { border-top: 0; vertical-align: bottom; font-weight: 600; }
 thead .topic { display: inline-block; writing-mode: vertical-rl; transform: rotate(180deg); text-align: left; }
 thead .soft { display: block; font-weight: 400; }
 th:first-child { text-align: left; font-weight: 400; white-space: normal; min-width: 11rem; }
-thead th:first-child, th.total { font-weight: 600; }
+thead th:first-child, th.sum { font-weight: 600; }
 tbody a { color: var(--accent); }
 td.passed { color: var(--good); background: var(--good-wash); }
 td.failed { color: var(--bad); background: var(--bad-wash); }
 td.missing { color: var(--soft); }
 td.none { color: var(--part); background: var(--part-wash); }
-td.total { font-weight: 650; }
+td.sum { font-weight: 650; }
 
 @media (max-width: 40rem) {
   .exercises li, .hardest li { grid-template-columns: 1fr auto; }

@@ -23,9 +23,9 @@ TEST(ClassPage, ShowsEachStudentWithPointsAndALinkToTheReport) {
   const std::string page = body(classOfOneExercise({student(1, {4, 0}, {1, 1}), studentWithoutFile(2)}));
   EXPECT_TRUE(has(page,
                   "<th scope=\"row\"><a href=\"reports/student%2001/report.html\">student 01</a></th><td "
-                  "class=\"part\">5.5</td><td class=\"total\">5.5</td>"))
+                  "class=\"part\">5.5</td><td class=\"sum\">5.5</td>"))
       << page;
-  EXPECT_TRUE(has(page, "not handed in: 0 points\">–</td><td class=\"total\">0</td>"));
+  EXPECT_TRUE(has(page, "not handed in: 0 points\">–</td><td class=\"sum\">0</td>"));
   EXPECT_FALSE(has(page, "No score"));
 }
 
@@ -36,7 +36,7 @@ TEST(ClassPage, WhatHasNoScoreStandsOnTop) {
                     histogram = page.find("<svg class=\"hist");
   EXPECT_LT(why, histogram);
   EXPECT_NE(histogram, std::string::npos);
-  EXPECT_TRUE(has(page, "<td class=\"total none\">no score</td>"));
+  EXPECT_TRUE(has(page, "<td class=\"sum none\">no score</td>"));
 }
 
 TEST(ClassPage, NamesWhatWasHardestAndCommonest) {
