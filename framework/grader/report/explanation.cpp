@@ -1,6 +1,7 @@
 #include "grader/report/explanation.h"
 
 #include "base/text/printable.h"
+#include "course/testing/never_written.h"
 
 #include <fmt/format.h>
 #include <algorithm>
