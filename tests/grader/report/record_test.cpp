@@ -81,7 +81,7 @@ TEST_F(Record, OfAnotherVersionIsAsIfAbsent) {
   const Verdict v = verdict("HookeForce", 1, 0);
   EXPECT_TRUE(travelled(v).has_value());
   EXPECT_FALSE(tampered(v, "\"version\": 2", "\"version\": 1"));
-  EXPECT_FALSE(tampered(v, "\"version\": 2,", ""));
+  EXPECT_FALSE(tampered(v, "\"version\": 2", "\"release\": 2"));
   EXPECT_FALSE(tampered(v, "\"outcome\": \"passed\"", "\"outcome\": \"splendid\""));
 }
 

@@ -73,6 +73,7 @@ TEST(ResultsJson, SaysInEveryCriterionHowItsFileWasTaken) {
 std::size_t longest(const Json& json) {
   if (json.is_string()) return json.get<std::string>().size();
   std::size_t most = 0;
+  if (!json.is_structured()) return 0;
   for (const Json& part : json) most = std::max(most, longest(part));
   return most;
 }
