@@ -1,1 +1,47 @@
+#include "course/check/compile_rules.h"
+
+#include "course/check/sanitizer_report.h"
+
 #include <gtest/gtest.h>
+#include <algorithm>
+
+namespace muelle {
+namespace {
+
+TEST(CompileRules, AResponseFileKeepsAnyArgument) {
+  const std::vector<std::string> arguments{"/a folder/o'brien \"x\"/\\b.o", "-pthread", "/mañana/c.o", ""};
+  std::string text;
+  for (const std::string& argument : arguments) text += responseLine(argument);
+  EXPECT_EQ(readResponse(text), arguments);
+  EXPECT_EQ(readResponse("a  'b c'\n\\ d\n"), (std::vector<std::string>{"a", "b c", " d"}));
+}
+
+TEST(CompileRules, UninitialisedMemoryIsFilledInBothBuilds) {
+  for (const auto& flags : {studentCompileFlags(), sanitizedCompileFlags()}) {
+    EXPECT_NE(std::ranges::find(flags, "-DEIGEN_INITIALIZE_MATRICES_BY_NAN"), flags.end());
+    EXPECT_EQ(std::ranges::find(flags, "-w"), flags.end());
+  }
+}
+
+TEST(SanitizerReport, NamesTheStudentsLine) {
+  const std::vector<StudentFile> files{{"triangle.cpp", ""}};
+  EXPECT_EQ(explainSanitizers("printed\n=====\n==7==ERROR: AddressSanitizer: stack-use-after-return on address 0x7f\n"
+                              "READ of size 8\n    #0 0x5 in Eigen::x /usr/include/eigen3/Eigen/Core.h:3\n"
+                              "    #1 0x5 in triangleForce(double) /a/triangle.cpp:26\n",
+                              files),
+            "triangle.cpp:26 uses a local variable of a function that has returned");
+  EXPECT_EQ(explainSanitizers("a/triangle.cpp:9:8: runtime error: execution reached the end of a value-returning "
+                              "function without returning a value\n",
+                              files),
+            "triangle.cpp:9 ends without returning a value");
+}
+
+TEST(SanitizerReport, WhatStandsElsewhereIsNotTheStudents) {
+  EXPECT_EQ(explainSanitizers("==7==ERROR: AddressSanitizer: heap-buffer-overflow\n #0 f /a/public_test.cpp:3\n",
+                              {{"triangle.cpp", ""}}),
+            "");
+  EXPECT_EQ(explainSanitizers("", {{"triangle.cpp", ""}}), "");
+}
+
+}  // namespace
+}  // namespace muelle

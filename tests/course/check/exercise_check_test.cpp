@@ -5,6 +5,7 @@
 
 #include "base/build_paths.h"
 #include "base/file.h"
+#include "course/check/compile_rules.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -165,6 +166,106 @@ TEST_F(Check, WhatTheStudentPrintsIsKeptApart) {
   const TestReport report = run("Vec3 twice(const Vec3& x) { std::puts(\"end\\tpassed\"); return 2 * x; }\n" + entry);
   EXPECT_TRUE(report.allPassed());
   EXPECT_EQ(report.output, "end\tpassed\n");
+}
+
+TEST_F(Check, UninitialisedMemoryIsNamedBeforeAnyOtherName) {
+  const std::string sentence =
+      " returned memory to which nothing was written: give every variable a value before it is read";
+  EXPECT_EQ(firstMessage("Vec3 twice(const Vec3& x) { Vec3 y; y[0] += 2 * x[0]; return y; }\n" + entry),
+            "twice" + sentence);
+  const TestReport report =
+      run(twice +
+          "double entry(const std::vector<double>& l, int i) { double* p = new double[8]; double s = p[2] + l[0] + i; "
+          "delete[] p; return s; }\n");
+  EXPECT_EQ(report.failures.at(0).messages.at(0), "entry" + sentence);
+  EXPECT_EQ(report.outcome, Outcome::NeverWritten);
+  EXPECT_EQ(run("Vec3 twice(const Vec3& x) { double f; f += 2; return f * x; }\n" + entry).outcome,
+            Outcome::NeverWritten);
+}
+
+TEST_F(Check, AnExpressionOfTemporariesThatAreGoneIsConfirmedAtItsLine) {
+  const std::string source =
+      "static Vec3 same(const Vec3& x) { return x; }\n"
+      "Vec3 twice(const Vec3& x) {\n"
+      "  auto sum = same(x) + same(x);\n"
+      "  return sum * (sum.norm() > 0 ? 1.0 : 0.0);\n"
+      "}\n" +
+      entry;
+  const StudentProgram program = build(source);
+  EXPECT_NE(program.diagnostics.find("fixture_spring.cpp:5"), std::string::npos) << program.diagnostics;
+  ASSERT_FALSE(program.sanitized.empty());
+  const TestReport report = runPublicTests(program);
+  EXPECT_EQ(report.outcome, Outcome::Crash);
+  ASSERT_FALSE(report.failures.empty());
+  EXPECT_TRUE(report.failures[0].messages[0].starts_with("fixture_spring.cpp:5 uses a temporary"))
+      << report.failures[0].messages[0];
+}
+
+TEST_F(Check, AMissingReturnIsConfirmedAtItsFunction) {
+  const TestReport report =
+      run(twice + "double entry(const std::vector<double>& l, int i) { if (i > 5) return l[0]; }\n");
+  EXPECT_EQ(report.outcome, Outcome::Crash);
+  ASSERT_FALSE(report.failures.empty());
+  EXPECT_NE(report.failures[0].messages[0].find("ends without returning a value"), std::string::npos)
+      << report.failures[0].messages[0];
+}
+
+TEST_F(Check, AWarningThatNothingConfirmsCostsNothing) {
+  const StudentProgram program =
+      build(twice + "double entry(const std::vector<double>& l, int i) { if (i < 9) return l[1]; }\n");
+  EXPECT_FALSE(program.sanitized.empty());
+  EXPECT_TRUE(runPublicTests(program).allPassed());
+}
+
+TEST_F(Check, WhatNoExerciseNeedsIsRefusedByItsName) {
+  const StudentProgram reads =
+      build("#include <iostream>\n" + twice + entry + "int n() { int i; std::cin >> i; return i; }\n");
+  EXPECT_TRUE(reads.executable.empty());
+  EXPECT_EQ(reads.outcome, Outcome::Forbidden);
+  EXPECT_EQ(reads.message, "it reads the keyboard (std::cin): nobody types while it is tested");
+  const StudentProgram main = build(twice + entry + "int main() { return 0; }\n");
+  EXPECT_EQ(main.outcome, Outcome::Link);
+  EXPECT_EQ(main.message, "your file defines main: leave it out");
+  EXPECT_EQ(build("#include <iostream>\n" + twice + entry + "void p() { std::cout << 1; }\n").outcome, Outcome::Passed);
+}
+
+TEST_F(Check, TheOutcomeHasTheGradersClass) {
+  EXPECT_EQ(run(twice + entry).outcome, Outcome::Passed);
+  EXPECT_EQ(run("Vec3 twice(const Vec3& x) { return x; }\n" + entry).outcome, Outcome::Wrong);
+  EXPECT_EQ(run(twice + "double entry(const std::vector<double>& l, int) { return l[9]; }\n").outcome, Outcome::Crash);
+  EXPECT_EQ(run(twice +
+                "double entry(const std::vector<double>&, int i) { volatile int n = i; while (n > 0) {} return n; }\n")
+                .outcome,
+            Outcome::Cpu);
+  EXPECT_EQ(build("int x = ;\n").outcome, Outcome::Compile);
+  EXPECT_EQ(build(twice).outcome, Outcome::Link);
+}
+
+TEST_F(Check, EndlessPrintingIsCutAndCostsOnlyItsTime) {
+  const TestReport report = run(
+      twice +
+      "double entry(const std::vector<double>& l, int i) { for (int n = 0; n < 200000; ++n) std::puts(\"x\"); return "
+      "l[static_cast<std::size_t>(i)]; }\n");
+  EXPECT_TRUE(report.allPassed());
+  EXPECT_LE(report.output.size(), 65536U);
+}
+
+TEST_F(Check, APathWithBlanksQuotesAndAccentsLinks) {
+  const std::filesystem::path place = folder_.path() / "una carpeta de mañana, o'clock";
+  std::string parts;
+  std::filesystem::create_directories(place / "build/check");
+  for (const std::string& part : readResponse(readFile(folders_.build / "check/fixture_spring.rsp"))) {
+    const std::filesystem::path moved = place / std::filesystem::path(part).filename();
+    const bool isObject = part.ends_with(".o");
+    if (isObject) std::filesystem::copy_file(part, moved, std::filesystem::copy_options::overwrite_existing);
+    parts += part.starts_with("-") ? part + "\n" : responseLine(isObject ? moved.string() : part);
+  }
+  writeFile(place / "build/check/fixture_spring.rsp", parts);
+  writeFile(place / "fixture_spring.cpp", "#include \"fixture_spring.h\"\n" + twice + entry);
+  const CheckFolders folders{folders_.exercises, place / "build", place / "out"};
+  const StudentProgram program = buildStudentProgram(manifest_, {place / "fixture_spring.cpp"}, folders);
+  ASSERT_FALSE(program.executable.empty()) << program.diagnostics;
+  EXPECT_TRUE(runPublicTests(program).allPassed());
 }
 
 TEST_F(Check, AnUnchangedFileIsNotCompiledAgain) {
