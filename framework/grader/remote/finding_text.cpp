@@ -17,8 +17,9 @@ struct Meaning {
 
 constexpr std::array meanings{
     Meaning{"stack-use-after", "keeps a reference to a value that is gone (auto of an Eigen expression?)"},
-    Meaning{"heap-use-after-free", "uses memory that has been given back: a reference or iterator into a std::vector "
-                                   "that has grown, or a value that is gone"},
+    Meaning{"heap-use-after-free",
+            "uses memory that has been given back: a reference or iterator into a std::vector "
+            "that has grown, or a value that is gone"},
     Meaning{"heap-buffer-overflow", "reads or writes beyond the end of a std::vector or of memory from new"},
     Meaning{"container-overflow", "reads or writes beyond the end of a std::vector"},
     Meaning{"stack-buffer-overflow", "reads or writes beyond the end of a local array or variable"},

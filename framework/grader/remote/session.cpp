@@ -41,8 +41,9 @@ std::string refusal(const wire::Frame& frame, const std::string& function) {
   if (!index.empty() && index.size() < 12) asserted = AssertedIndex(std::strtol(index.c_str(), nullptr, 10));
   if (where == worker::standardLibrary) {
     const std::string what = standardCheckText(condition);
-    return what.empty() ? fmt::format("{} broke a rule of the standard library: '{}' does not hold", function, condition)
-                        : fmt::format("{} {}", function, what);
+    return what.empty()
+               ? fmt::format("{} broke a rule of the standard library: '{}' does not hold", function, condition)
+               : fmt::format("{} {}", function, what);
   }
   return eigenMessage(condition, where, asserted, function);
 }
@@ -109,18 +110,19 @@ void Session::noteFault(const SubmissionFault& fault, const std::string& functio
   timedOutFunction_ = function;
   const bool callLimit = cpuUsed_ + setup_.limits.call <= setup_.limits.criterion;
   const auto seconds = [](std::chrono::milliseconds time) { return static_cast<double>(time.count()) / 1000.0; };
-  fault_ = callLimit ? fmt::format("{} did not return within {} s of processor time", function,
-                                   seconds(setup_.limits.call))
-                     : fmt::format("the calls of this criterion took more than {} s of processor time together; the "
-                                   "last was {}",
-                                   seconds(setup_.limits.criterion), function);
+  fault_ = callLimit
+               ? fmt::format("{} did not return within {} s of processor time", function, seconds(setup_.limits.call))
+               : fmt::format(
+                     "the calls of this criterion took more than {} s of processor time together; the "
+                     "last was {}",
+                     seconds(setup_.limits.criterion), function);
 }
 
 void Session::startWorker() {
   if (worker_) return;
   try {
-    worker_ = std::make_unique<WorkerProcess>(*setup_.sandbox, WorkerHost{setup_.host, setup_.sanitised}, setup_.submission,
-                                              setup_.limits);
+    worker_ = std::make_unique<WorkerProcess>(*setup_.sandbox, WorkerHost{setup_.host, setup_.sanitised},
+                                              setup_.submission, setup_.limits);
   } catch (const SubmissionFault& fault) {
     const bool endless = fault.outcome() == Outcome::Cpu || std::string_view(fault.what()).ends_with(waitsWithoutEnd);
     if (endless) timedOutFunction_ = loading;
@@ -144,7 +146,8 @@ std::vector<std::byte> Session::converse(const Request& request, const Patience&
       case wire::FrameKind::Refused:
         throw SubmissionFault(refusal(frame, request.function), Outcome::Crash);
       case wire::FrameKind::Died:
-        throw SubmissionFault(fmt::format("{} {}", request.function, deathText(text(frame))), deathOutcome(text(frame)));
+        throw SubmissionFault(fmt::format("{} {}", request.function, deathText(text(frame))),
+                              deathOutcome(text(frame)));
       default:
         throw SubmissionFault(request.function + " answered with a malformed message");
     }

@@ -83,8 +83,7 @@ class Session {
   void startWorker();
   void noteFault(const SubmissionFault& fault, const std::string& function);
   std::vector<std::byte> converse(const Request& request, const Patience& patience);
-  void answerCallback(const Request& request, const wire::Frame& frame, std::uint64_t nonce,
-                      const Patience& patience);
+  void answerCallback(const Request& request, const wire::Frame& frame, std::uint64_t nonce, const Patience& patience);
   void remember(const Request& request, const std::vector<std::byte>& reply);
   void repeatAnEarlierCall();
 

@@ -173,8 +173,7 @@ void WorkerProcess::end() {
 }
 
 void WorkerProcess::send(wire::FrameKind kind, std::uint64_t nonce, std::uint32_t target,
-                         const std::vector<std::byte>& payload, const Patience& patience,
-                         const std::string& function) {
+                         const std::vector<std::byte>& payload, const Patience& patience, const std::string& function) {
   wire::FrameHeader header;
   header.kind = kind;
   header.nonce = nonce;

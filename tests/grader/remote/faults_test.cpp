@@ -16,8 +16,8 @@
 namespace {
 
 using muelle::Outcome;
-using muelle::grader::Session;
 using muelle::grader::ProcessStatus;
+using muelle::grader::Session;
 using muelle::grader::SessionLimits;
 using muelle::grader::SubmissionFault;
 using std::chrono::milliseconds;
@@ -77,8 +77,10 @@ INSTANTIATE_TEST_SUITE_P(
                       Fault{WrongNonce, "misbehave answered a question that was not asked"},
                       Fault{UnknownCallback, "called a function that it was not given"},
                       Fault{ShortAnswer, "returned something else than its type"},
-                      Fault{DieBetweenCalls, R"(ended the program with exit\(0\))", Outcome::Crash}, Fault{Fork, "'(clone|fork)'", Outcome::Forbidden},
-                      Fault{Socket, "'socket'", Outcome::Forbidden}, Fault{Open, "'openat'", Outcome::Forbidden}, Fault{Sleep, "'(clock_)?nanosleep'", Outcome::Forbidden}),
+                      Fault{DieBetweenCalls, R"(ended the program with exit\(0\))", Outcome::Crash},
+                      Fault{Fork, "'(clone|fork)'", Outcome::Forbidden}, Fault{Socket, "'socket'", Outcome::Forbidden},
+                      Fault{Open, "'openat'", Outcome::Forbidden},
+                      Fault{Sleep, "'(clock_)?nanosleep'", Outcome::Forbidden}),
     [](const auto& fault) { return "How" + std::to_string(fault.param.how); });
 
 using Faults = muelle::grader::FixtureSession;
