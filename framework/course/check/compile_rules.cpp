@@ -44,7 +44,8 @@ std::vector<std::string> studentCompileFlags() {
 std::vector<std::string> sanitizedCompileFlags() {
   std::vector<std::string> flags = studentCompileFlags();
   append(flags, sanitizers());
-  append(flags, {"-fno-sanitize-recover=all", "-fno-omit-frame-pointer", "-g1"});
+  // Eigen would otherwise place memory by hand that the unsanitised parts beside it give back.
+  append(flags, {"-fno-sanitize-recover=all", "-fno-omit-frame-pointer", "-g1", "-DEIGEN_MALLOC_ALREADY_ALIGNED=1"});
   return flags;
 }
 

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t scratchBytes = 256UL * 1024 * 1024;
 constexpr std::size_t symbolBytes = 1024 * 1024;
 
-constexpr const char* linkFlags = "-shared -Wl,-Bsymbolic,-z,defs,-z,now,-z,noexecstack,--build-id=none";
+constexpr const char* linkFlags = "-shared -Wl,-Bsymbolic,-z,now,-z,noexecstack,--build-id=none";
 
 /// Exit statuses of the script: which of its commands failed.
 constexpr int compileFailed = 10;

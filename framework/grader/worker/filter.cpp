@@ -21,16 +21,19 @@ namespace {
 
 /// Arithmetic, memory, the message pipes, and an orderly or violent end.
 constexpr std::array runningCalls = {
-    SCMP_SYS(read),          SCMP_SYS(write),        SCMP_SYS(brk),       SCMP_SYS(munmap),
-    SCMP_SYS(mremap),        SCMP_SYS(madvise),      SCMP_SYS(futex),     SCMP_SYS(getpid),
-    SCMP_SYS(gettid),        SCMP_SYS(gettimeofday), SCMP_SYS(time),      SCMP_SYS(getrandom),
+    SCMP_SYS(read),          SCMP_SYS(write),        SCMP_SYS(brk),        SCMP_SYS(munmap),
+    SCMP_SYS(mremap),        SCMP_SYS(madvise),      SCMP_SYS(futex),      SCMP_SYS(getpid),
+    SCMP_SYS(gettid),        SCMP_SYS(gettimeofday), SCMP_SYS(time),       SCMP_SYS(getrandom),
     SCMP_SYS(clock_gettime), SCMP_SYS(fstat),        SCMP_SYS(newfstatat), SCMP_SYS(restart_syscall),
     SCMP_SYS(sched_yield),
 };
 
 /// What the dynamic loader adds while it maps a shared object, and the second filter.
 constexpr std::array loadingCalls = {
-    SCMP_SYS(close), SCMP_SYS(pread64), SCMP_SYS(lseek), SCMP_SYS(seccomp),
+    SCMP_SYS(close),
+    SCMP_SYS(pread64),
+    SCMP_SYS(lseek),
+    SCMP_SYS(seccomp),
 };
 
 /// What AddressSanitizer adds while a program runs: it looks at its limits and signal stack.

@@ -7,7 +7,6 @@
 #include "misbehaviour.h"
 #include "process_status.h"
 
-#include <sched.h>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -20,6 +19,7 @@ using muelle::grader::ProcessStatus;
 using muelle::grader::Session;
 using muelle::grader::SessionLimits;
 using muelle::grader::SubmissionFault;
+using muelle::grader::waitForEnd;
 using std::chrono::milliseconds;
 using namespace misbehaviour;
 
@@ -67,7 +67,7 @@ TEST_F(Blame, KilledFromOutsideIsTheMachines) {
 TEST_F(Blame, KilledSandboxIsTheMachines) {
   submission::sum(1, 2, false);
   kill(session().workerPid(), SIGKILL);
-  while (!ProcessStatus(session().hostPid()).field("State").empty()) sched_yield();
+  waitForEnd(session().hostPid());
   EXPECT_THROW(submission::sum(1, 2, false), SubmissionFault);
   EXPECT_EQ(session().outcome(), Outcome::Killed) << session().fault();
 }

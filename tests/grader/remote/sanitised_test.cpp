@@ -17,8 +17,8 @@ using namespace misbehaviour;
 class SanitisedWorker : public muelle::grader::FixtureSession {
  protected:
   void begin(muelle::grader::SessionLimits limits) {
-    session_ = std::make_unique<Session>(
-        Session::Setup{&sandbox(), MUELLE_HOST_ASAN, MUELLE_FIXTURE_ASAN, 7, limits, true});
+    session_ =
+        std::make_unique<Session>(Session::Setup{&sandbox(), MUELLE_HOST_ASAN, MUELLE_FIXTURE_ASAN, 7, limits, true});
     Session::setCurrent(session_.get());
   }
   void SetUp() override { begin({}); }

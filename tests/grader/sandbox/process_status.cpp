@@ -1,5 +1,7 @@
 #include "process_status.h"
 
+#include <sched.h>
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -83,6 +85,14 @@ std::string ProcessStatus::terminal() const {
   std::string state, parent, group, session, terminal;
   words >> state >> parent >> group >> session >> terminal;
   return terminal;
+}
+
+void waitForEnd(pid_t pid) {
+  for (;;) {
+    const std::string state = ProcessStatus(pid).field("State");
+    if (state.empty() || state.front() == 'Z' || state.front() == 'X') return;
+    sched_yield();
+  }
 }
 
 std::vector<ProcessStatus> familyOf(pid_t ancestor) {

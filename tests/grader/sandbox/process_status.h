@@ -32,6 +32,9 @@ class ProcessStatus {
   pid_t pid_;
 };
 
+/// Returns when the process has ended, reaped or not.
+void waitForEnd(pid_t pid);
+
 /// A process and everything that it has started, itself first.
 std::vector<ProcessStatus> familyOf(pid_t ancestor);
 
