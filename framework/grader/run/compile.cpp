@@ -101,12 +101,13 @@ std::string compileScript(const Workplace& workplace, const Sources& sources, Bu
   return fmt::format(
       "cd tmp && {0} {1} {2} -I../contract -I../framework -isystem ../eigen -c{3} || exit {4}\n"
       "nm -P *.o >&3 || exit {5}\n"
-      "{0} {6} {7} *.o {8} -o submission.so || exit {9}\n"
+      "{0} {6}{10} {7} *.o {8} -o submission.so || exit {9}\n"
       "cat submission.so\n",
       compiler, joined(isSanitised ? sanitizedCompileFlags() : studentCompileFlags()),
       isSanitised ? "" : "-I../prelude -include prelude.h", files, compileFailed, symbolsFailed, linkFlags,
       joined(checkLinkFlags(isSanitised)),
-      build == Build::Probe ? "" : "-Wl,--whole-archive ../glue.a -Wl,--no-whole-archive", linkFailed);
+      build == Build::Probe ? "" : "-Wl,--whole-archive ../glue.a -Wl,--no-whole-archive", linkFailed,
+      isSanitised ? "" : " -Wl,-z,defs");  // the host has the sanitizers' own symbols
 }
 
 std::string compilerIdentity(const Workplace& workplace) {
