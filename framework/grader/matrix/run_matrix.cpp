@@ -68,9 +68,9 @@ class MutantRun {
     if (outcome.status == Status::GraderFault) mutant_.trouble = outcome.message;
     mutant_.fate = outcome.status == Status::Built ? Mutant::Fate::Survived : Mutant::Fate::NotCompilable;
     if (outcome.status != Status::Built) return;
-    const Candidate candidate{
-        manifest_, sources_, objectKey(grader_.workplace(), manifest_, sources_, grader_.options().sandbox),
-        built.object};
+    const Candidate candidate{manifest_, sources_,
+                              objectKey(grader_.workplace(), manifest_, sources_, grader_.options().sandbox),
+                              built.object};
     if (!isKilledAlready(candidate)) judge(candidate, isAlone);
   }
 
@@ -89,8 +89,8 @@ class MutantRun {
   bool isKilledAlready(const Candidate& candidate) {
     if (grader_.options().fresh) return false;
     for (const std::size_t i : killOrder_.order()) {
-      const auto kept = keptVerdict(grader_.workplace(), grader_.records(), candidate, manifest_.criteria[i],
-                                    grader_.options());
+      const auto kept =
+          keptVerdict(grader_.workplace(), grader_.records(), candidate, manifest_.criteria[i], grader_.options());
       if (!kept || kept->passed()) continue;
       kill(i);
       return true;

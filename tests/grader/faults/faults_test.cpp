@@ -17,7 +17,7 @@ class Fault : public StagedFault {
   void expectOurs(Stage stage, Mend mend) {
     for (const Sources* sources : {&honest(), &wrong()}) {
       {
-        const auto staged = stage();
+        [[maybe_unused]] const auto staged = stage();
         expectNoScore(grade(*sources));
       }
       mend();

@@ -54,14 +54,18 @@ void StagedFault::expectNoScore(const GradedExercise& graded) {
   const bool wasBuilt = graded.build.status == BuildOutcome::Status::Built;
   const bool isOurs = graded.build.status == BuildOutcome::Status::GraderFault;
   EXPECT_TRUE(wasBuilt || isOurs) << "the student is blamed: " << graded.build.message;
-  if (isOurs) EXPECT_EQ(sum, 0.0);
+  if (isOurs) {
+    EXPECT_EQ(sum, 0.0);
+  }
   // What a criterion got before the fault is right; what it did not get has no score instead of none.
   for (const auto& [suite, verdict] : graded.verdicts) {
     const auto criterion = std::find_if(graded.manifest.criteria.begin(), graded.manifest.criteria.end(),
                                         [&](const Criterion& c) { return c.suite == suite; });
     ASSERT_NE(criterion, graded.manifest.criteria.end());
     const auto points = score(*criterion, graded);
-    if (points) EXPECT_TRUE(*points == criterion->points || !verdict.passed());
+    if (points) {
+      EXPECT_TRUE(*points == criterion->points || !verdict.passed());
+    }
   }
 }
 
@@ -86,7 +90,9 @@ void StagedFault::expectUndisturbed(const GradedExercise& graded, const Sources&
   EXPECT_EQ(graded.build.status, BuildOutcome::Status::Built) << graded.build.message << graded.build.diagnostics;
   for (const Criterion& criterion : graded.manifest.criteria) {
     EXPECT_EQ(score(criterion, graded), known[sources][criterion.suite]) << criterion.suite;
-    if (sources == honest_) EXPECT_EQ(score(criterion, graded), criterion.points) << criterion.suite;
+    if (sources == honest_) {
+      EXPECT_EQ(score(criterion, graded), criterion.points) << criterion.suite;
+    }
   }
 }
 

@@ -45,7 +45,7 @@ class Backend : public ::testing::TestWithParam<const char*> {
     if (fs::exists("/usr/lib64")) confinement.systemFolders.emplace_back("/usr/lib64");
     confinement.files = {{"/given/text", {}, "what was handed over\n", false}};
     confinement.scratchBytes = 1 << 20;
-    return sandbox_->run(confinement, limit, 65536, 65536);
+    return sandbox_->run(confinement, {limit, 65536, 65536, 0, false});
   }
   bool isUnsafe() const { return sandbox_->choice() == SandboxChoice::Unsafe; }
 
@@ -125,7 +125,7 @@ TEST(LandlockBackend, DeniesTheNetworkAndOtherProcesses) {
   Confinement confinement;
   confinement.systemFolders = {"/usr/bin", "/usr/lib"};
   confinement.command = {"/usr/bin/bash", "-c", "echo > /dev/tcp/127.0.0.1/9; kill -0 " + std::to_string(getpid())};
-  const CommandResult result = Landlock().run(confinement, std::chrono::seconds(5), 1000, 5000);
+  const CommandResult result = Landlock().run(confinement, {std::chrono::seconds(5), 1000, 5000, 0, false});
   EXPECT_NE(result.status.code, 0);
   EXPECT_NE(result.err.find("Operation not permitted"), std::string::npos) << result.err;
   EXPECT_EQ(result.err.find("refused"), std::string::npos) << "nobody was asked for a connection: " << result.err;
