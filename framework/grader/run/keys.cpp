@@ -41,7 +41,7 @@ std::string objectKey(const Workplace& workplace, const Manifest& manifest, cons
   std::string headers;
   for (const VisibleFile& header : compilersView(workplace, manifest)) headers += digestOf(header.source);
   return digest({"object 2", manifest.topic, digestOfSources(sources), headers, compileScript(workplace, sources),
-                 compilerIdentity(workplace), toText(sandbox)});
+                 compilerIdentity(workplace), toText(sandbox), workplace.judgesSymbols ? "judged" : "unjudged"});
 }
 
 std::string verdictKey(const Workplace& workplace, const Manifest& manifest, const Criterion& criterion,

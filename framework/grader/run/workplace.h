@@ -17,6 +17,8 @@ struct Workplace {
   std::filesystem::path host;      ///< the program that loads a student's code
   std::filesystem::path sanitisedHost;
   CompileLimits limits;
+  /// Whether what a compiled file uses is judged before it runs; false where a test asks if the sandbox holds alone.
+  bool judgesSymbols = true;
   /// Wide limits of wall time: passing one is the machine's fault, never the student's.
   std::chrono::milliseconds criterionWall{std::chrono::minutes(5)};
   std::chrono::milliseconds callWall{std::chrono::seconds(30)};

@@ -65,10 +65,11 @@ void expectTameReports(const GradedSubmission& graded) {
 
 }  // namespace
 
-GradedSubmission gradeAttack(const std::filesystem::path& submission, const std::string& topic) {
+GradedSubmission gradeAttack(const std::filesystem::path& submission, const std::string& topic, bool judgesSymbols) {
   const TemporaryFolder kept(std::filesystem::temp_directory_path());
   Workplace workplace = Workplace::ofThisBuild();
   workplace.kept = kept.path();
+  workplace.judgesSymbols = judgesSymbols;
   GradeOptions options;
   options.seed = "hostile";
   options.sandbox = chosenSandbox();

@@ -54,7 +54,13 @@ TEST_P(Hostile, GetsNoPointsAndChangesNothing) {
   const std::string says = expectedWords(folder / (topic + ".cpp"));
   const Surroundings surroundings(folder);
   const GradedSubmission graded = gradeAttack(folder, topic);
-  expectDefeated(graded, says);
+  if (graded.exercises.front().build.outcome == Outcome::Forbidden) {
+    // Refused by what it uses before it ran. A system call needs no symbol: the sandbox must hold without that, too.
+    expectDefeated(graded, "");
+    expectDefeated(gradeAttack(folder, topic, false), says);
+  } else {
+    expectDefeated(graded, says);
+  }
   EXPECT_EQ(surroundings.changes(), "");
 }
 

@@ -1,4 +1,4 @@
-// attack: dies with a core of its memory; expect: zero points; says: ended with signal 3
+// attack: dies with a core of its memory; expect: zero points; says: was stopped
 #include "spring_1d.h"
 
 #include <csignal>

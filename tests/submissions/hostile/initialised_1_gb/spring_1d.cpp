@@ -1,4 +1,4 @@
-// attack: makes an object file of 1 GB; expect: zero points; says: does not compile|ran out
+// attack: makes an object file of 1 GB; expect: zero points; says: larger than|does not compile|ran out
 #include "spring_1d.h"
 
 char hoard[1UL << 30] = {1};

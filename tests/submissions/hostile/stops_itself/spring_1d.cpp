@@ -1,4 +1,4 @@
-// attack: stops itself; expect: zero points; says: did not return within 2 s
+// attack: stops itself; expect: zero points; says: was stopped
 #include "spring_1d.h"
 
 #include <csignal>

@@ -1,4 +1,4 @@
-// attack: writes a file of results; expect: zero points; says: openat
+// attack: writes a file of results; expect: zero points; says: was stopped
 #include "spring_1d.h"
 
 #include <fstream>
