@@ -12,7 +12,7 @@ namespace muelle::grader {
 struct Workplace {
   std::filesystem::path source;
   std::filesystem::path binary;
-  std::filesystem::path kept;      ///< what is kept between runs
+  std::filesystem::path kept;      ///< what is kept between runs: build/grade, or the folder that MUELLE_KEPT names
   std::filesystem::path compiler;  ///< for the students' files
   std::filesystem::path host;      ///< the program that loads a student's code
   std::filesystem::path sanitisedHost;

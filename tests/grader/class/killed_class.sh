@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Kills the grading of a class at random moments and starts it again: in the end grades.csv has the bytes of a grading
+# that nobody disturbed.
+# Usage: killed_class.sh MUELLE SOURCE [KILLS [STUDENTS [EXERCISES]]]     usually 10 kills, 12 students, one exercise
+set -uo pipefail
+muelle="$1" source="$2" kills="${3:-10}" students="${4:-12}" exercises="${5:-1}"
+work="$(mktemp -d)"
+trap 'rm -rf "$work"' EXIT
+
+# The first exercises of the course that have submissions; each student takes one of these, right or wrong.
+topics="$(cd "$source/tests/submissions" && for manifest in "$source"/exercises/*/exercise.toml; do
+  topic="$(basename "$(dirname "$manifest")")"
+  if [ -d "$topic" ]; then echo "$(sed -n 's/^order = //p' "$manifest") $topic"; fi
+done | sort -n | head -n "$exercises" | cut -d' ' -f2)"
+for ((i = 1; i <= students; ++i)); do
+  for topic in $topics; do
+    folders=("$source/tests/submissions/$topic"/*/*/)
+    mkdir -p "$work/class/student_$i/$topic"
+    cp "${folders[$((i % ${#folders[@]}))]}"*.cpp "$work/class/student_$i/$topic/"
+    printf '// student %s\n' "$i" >>"$work/class/student_$i/$topic/$topic.cpp"  # no two are the same
+  done
+done
+
+grade() { MUELLE_KEPT="$1" "$muelle" grade --class "$work/class" --only "${topics//$'\n'/,}" --seed killed --out "$2" >"$work/said" 2>&1; }
+
+grade "$work/calm-store" "$work/calm" || { cat "$work/said"; exit 1; }
+started=$(date +%s%N)
+grade "$work/measure-store" "$work/measure"
+milliseconds=$((($(date +%s%N) - started) / 1000000))
+
+killed=0
+for ((i = 1; i <= kills; ++i)); do
+  MUELLE_KEPT="$work/store" setsid "$muelle" grade --class "$work/class" --only "${topics//$'\n'/,}" --seed killed \
+    --out "$work/out" >"$work/said" 2>&1 &
+  pid=$!
+  delay=$((RANDOM % (milliseconds / 2 + 1)))
+  sleep "$(printf '%d.%03d' $((delay / 1000)) $((delay % 1000)))"  # the moment is what is drawn at random
+  if kill -9 "$pid" 2>/dev/null; then killed=$((killed + 1)); fi
+  wait "$pid" 2>/dev/null
+done
+grade "$work/store" "$work/out" || { cat "$work/said"; exit 1; }
+cmp "$work/calm/grades.csv" "$work/out/grades.csv" || exit 1
+printf '%s students, killed %s times: grades.csv is the same\n' "$students" "$killed"
