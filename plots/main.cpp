@@ -1,6 +1,7 @@
 /// \file
 /// `muelle figures`: draws the lecture's figures.
 
+#include "base/command_line.h"
 #include "base/errors.h"
 #include "base/progress_bar.h"
 #include "base/text/nearest.h"
@@ -9,9 +10,7 @@
 #include "figures/write.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 #include <filesystem>
-#include <map>
 #include <stdexcept>
 
 namespace {
@@ -24,7 +23,7 @@ using muelle::plots::lectureFigures;
 struct Command {
   std::vector<std::string> names;
   std::string out = "out/figures";
-  std::vector<Format> formats = {Format::Svg, Format::Pdf, Format::Png};
+  std::vector<std::string> formats = {"svg", "pdf", "png"};
   bool list = false;
 };
 
@@ -46,6 +45,14 @@ std::vector<LectureFigure> chosen(const Command& command) {
   return figures;
 }
 
+std::vector<Format> formatsOf(const Command& command) {
+  std::vector<Format> formats;
+  for (const std::string& name : command.formats) {
+    formats.push_back(name == "svg" ? Format::Svg : name == "pdf" ? Format::Pdf : Format::Png);
+  }
+  return formats;
+}
+
 int list() {
   for (const LectureFigure& figure : lectureFigures()) fmt::print("{}\n", figure.name);
   return 0;
@@ -54,11 +61,12 @@ int list() {
 int draw(const Command& command) {
   if (command.list) return list();
   const std::vector<LectureFigure> figures = chosen(command);
+  const std::vector<Format> formats = formatsOf(command);
   muelle::ProgressBar progress("figures");
   double done = 0.0;
   for (const LectureFigure& figure : figures) {
     // One at a time, so that what is drawn stays when the run is broken off.
-    muelle::writeFigures({figure.draw()}, command.out, command.formats);
+    muelle::writeFigures({figure.draw()}, command.out, formats);
     progress.update(++done / static_cast<double>(figures.size()));
   }
   fmt::print("{} figure{} in {}\n", figures.size(), figures.size() == 1 ? "" : "s",
@@ -68,25 +76,18 @@ int draw(const Command& command) {
 
 int parseAndDraw(int argc, char** argv) {
   Command command;
-  CLI::App app("Draws the figures of the lecture.", "./muelle figures");
-  app.add_option("NAME", command.names, "The figures to draw [all]");
-  app.add_option("--out", command.out, "Folder for the files")->capture_default_str();
-  app.add_option("--format", command.formats, "svg, pdf, png, separated by commas [all three]")
-      ->delimiter(',')
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Format>{{"svg", Format::Svg}, {"pdf", Format::Pdf}, {"png", Format::Png}}));
-  app.add_flag("--list", command.list, "Name the figures, draw none");
-  app.footer(
+  muelle::CommandLine program("./muelle figures", "Draws the figures of the lecture.");
+  program.option("NAME", command.names, "The figures to draw [all]");
+  program.option("--out", command.out, "Folder for the files").showDefault();
+  program.option("--format", command.formats, "svg, pdf, png, separated by commas [all three]")
+      .separator(',')
+      .oneOf({"svg", "pdf", "png"});
+  program.flag("--list", command.list, "Name the figures, draw none");
+  program.footer(
       "Examples: ./muelle figures\n"
       "          ./muelle figures buckling bounce --format png --out slides");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    // Calls for help are "errors" too, with exit code 0.
-    if (error.get_exit_code() == 0) return app.exit(error);
-    throw std::invalid_argument(fmt::format("{} (see ./muelle figures --help)", error.what()));
-  }
-  return draw(command);
+  program.action([&command] { return draw(command); });
+  return program.run(argc, argv);
 }
 
 }  // namespace

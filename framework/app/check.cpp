@@ -158,17 +158,17 @@ int check(const CheckOptions& options) {
 
 }  // namespace
 
-void addCheck(CLI::App& app, int& status) {
+void addCheck(CommandLine& program) {
   const auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = app.add_subcommand("check", "Compile your file, run the public tests, draw the curves");
-  auto* topic = command->add_option("EXERCISE", options->topic,
-                                    "Which exercise; without it, the first in course order with something to mend");
-  command->add_option("--file", options->file, "Check this file instead of exercises/EXERCISE/EXERCISE.cpp");
-  command->add_flag("--no-plot", options->noPlot, "Draw no curves");
-  command->add_flag("--all", options->all, "Go on to the other exercises when one fails")->excludes(topic);
-  command->footer(
+  CommandLine& command = program.command("check", "Compile your file, run the public tests, draw the curves");
+  const CommandLineOption topic = command.option(
+      "EXERCISE", options->topic, "Which exercise; without it, the first in course order with something to mend");
+  command.option("--file", options->file, "Check this file instead of exercises/EXERCISE/EXERCISE.cpp");
+  command.flag("--no-plot", options->noPlot, "Draw no curves");
+  command.flag("--all", options->all, "Go on to the other exercises when one fails").excludes(topic);
+  command.footer(
       "Exit code: 0 when all public tests pass, 1 while something fails.\nExample: ./muelle check spring_1d");
-  command->callback([options, &status] { status = check(*options); });
+  command.action([options] { return check(*options); });
 }
 
 }  // namespace muelle::app

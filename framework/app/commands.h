@@ -1,25 +1,25 @@
 #pragma once
 /// \file
-/// The subcommands of `muelle`. Each function adds one to the command line; when it is called, the subcommand leaves
-/// its exit code in `status`: 0 done, 1 a check failed, 2 bad usage or input.
+/// The subcommands of `muelle`. Each function adds one to the command line. Its action returns the exit code:
+/// 0 done, 1 a check failed; what it throws becomes 2, bad usage or input.
 
-#include <CLI/CLI.hpp>
+#include "base/command_line.h"
 
 namespace muelle::app {
 
-void addCheck(CLI::App& app, int& status);
-void addList(CLI::App& app, int& status);
-void addTest(CLI::App& app, int& status);
-void addDocs(CLI::App& app, int& status);
+void addCheck(CommandLine& program);
+void addList(CommandLine& program);
+void addTest(CommandLine& program);
+void addDocs(CommandLine& program);
 #if MUELLE_HAS_GRADER
-void addGrade(CLI::App& app, int& status);
-void addTestTheTests(CLI::App& app, int& status);
-void addClean(CLI::App& app, int& status);
+void addGrade(CommandLine& program);
+void addTestTheTests(CommandLine& program);
+void addClean(CommandLine& program);
 #endif
 #if MUELLE_HAS_ENGINE
-void addRun(CLI::App& app, int& status);
-void addHardCases(CLI::App& app, int& status);
-void addFigures(CLI::App& app, int& status);
+void addRun(CommandLine& program);
+void addHardCases(CommandLine& program);
+void addFigures(CommandLine& program);
 #endif
 
 /// What `muelle` alone prints: the commands to type next.

@@ -25,10 +25,10 @@ int docs() {
 
 }  // namespace
 
-void addDocs(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("docs", "Write the documentation as web pages");
-  command->footer("Example: ./muelle docs");
-  command->callback([&status] { status = docs(); });
+void addDocs(CommandLine& program) {
+  CommandLine& command = program.command("docs", "Write the documentation as web pages");
+  command.footer("Example: ./muelle docs");
+  command.action([] { return docs(); });
 }
 
 }  // namespace muelle::app

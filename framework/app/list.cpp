@@ -19,10 +19,10 @@ int list() {
 
 }  // namespace
 
-void addList(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("list", "Name the exercises, in course order");
-  command->footer("Example: ./muelle list");
-  command->callback([&status] { status = list(); });
+void addList(CommandLine& program) {
+  CommandLine& command = program.command("list", "Name the exercises, in course order");
+  command.footer("Example: ./muelle list");
+  command.action([] { return list(); });
 }
 
 }  // namespace muelle::app

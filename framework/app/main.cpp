@@ -3,19 +3,12 @@
 
 #include "app/commands.h"
 #include "base/errors.h"
-#include "base/text/nearest.h"
-#include "base/text/printable.h"
-
-#include <fmt/format.h>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace {
 
 using namespace muelle::app;
 
-using AddCommand = void (*)(CLI::App&, int&);
+using AddCommand = void (*)(muelle::CommandLine&);
 
 /// In the order of --help.
 constexpr AddCommand commands[] = {
@@ -29,34 +22,15 @@ constexpr AddCommand commands[] = {
     addTest,  addDocs,
 };
 
-/// CLI11 takes a mistyped command for a stray argument; its name deserves a better answer.
-void refuseUnknownCommand(const CLI::App& app, const std::string& word) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  if (word.starts_with("-") || std::find(names.begin(), names.end(), word) != names.end()) return;
-  throw std::invalid_argument(
-      fmt::format("no command '{}'{}", muelle::printableLine(word), muelle::suggestion(word, names)));
-}
-
 int run(int argc, char** argv) {
-  int status = 0;
-  CLI::App app("A course on mass-spring simulation that runs.", "./muelle");
-  app.footer("Every command has its own help: ./muelle check --help");
-  for (const AddCommand add : commands) add(app, status);
-  if (argc < 2) {
+  muelle::CommandLine program("./muelle", "A course on mass-spring simulation that runs.");
+  program.footer("Every command has its own help: ./muelle check --help");
+  program.action([] {
     printNextSteps();
     return 0;
-  }
-  refuseUnknownCommand(app, argv[1]);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    // Calls for help are "errors" too, with exit code 0.
-    if (error.get_exit_code() == 0) return app.exit(error);
-    throw std::invalid_argument(fmt::format("{} (see ./muelle {}--help)", error.what(),
-                                            app.get_subcommands().empty() ? "" : std::string(argv[1]) + " "));
-  }
-  return status;
+  });
+  for (const AddCommand add : commands) add(program);
+  return program.run(argc, argv);
 }
 
 }  // namespace

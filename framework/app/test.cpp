@@ -26,13 +26,13 @@ int test(const TestOptions& options) {
 
 }  // namespace
 
-void addTest(CLI::App& app, int& status) {
+void addTest(CommandLine& program) {
   const auto options = std::make_shared<TestOptions>();
-  CLI::App* command = app.add_subcommand("test", "Run the tests of the framework, of the course and of the grader");
-  command->add_option("REGEX", options->filter, "Only the tests whose name matches");
-  command->add_flag("--list", options->listOnly, "Name the tests, run none");
-  command->footer("Example: ./muelle test manifest");
-  command->callback([options, &status] { status = test(*options); });
+  CommandLine& command = program.command("test", "Run the tests of the framework, of the course and of the grader");
+  command.option("REGEX", options->filter, "Only the tests whose name matches");
+  command.flag("--list", options->listOnly, "Name the tests, run none");
+  command.footer("Example: ./muelle test manifest");
+  command.action([options] { return test(*options); });
 }
 
 }  // namespace muelle::app

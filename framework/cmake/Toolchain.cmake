@@ -12,6 +12,11 @@ endif()
 # Assertions stay on: Eigen's range checks are part of what the course teaches.
 set(CMAKE_CXX_FLAGS_RELEASE "-O2")
 
+# For a folder whose programs compute little: -O1 compiles faster. Call it before targets are added.
+macro(muelle_optimise_little)
+  add_compile_options(-O1)
+endmacro()
+
 option(MUELLE_ASAN "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 
 # For all of our code; muelle_flags adds the sanitizers, which the worker cannot have: they want an address space without

@@ -33,13 +33,13 @@ inline constexpr ::muelle::AssertedIndex index{};
 #ifdef eigen_assert
 #error "harness/eigen_assertion.h must be included before Eigen"
 #endif
-#define eigen_assert(condition)                                                                     \
-  do {                                                                                              \
-    if (!(condition)) {                                                                             \
-      if constexpr (requires { ::muelle::AssertedIndex(index); }) {                                 \
-        ::muelle::eigenAssertionFailed(#condition, __PRETTY_FUNCTION__, index);                     \
-      } else {                                                                                      \
-        ::muelle::eigenAssertionFailed(#condition, __PRETTY_FUNCTION__, ::muelle::AssertedIndex{}); \
-      }                                                                                             \
-    }                                                                                               \
+#define eigen_assert(condition)                                                                          \
+  do {                                                                                                   \
+    if (!(condition)) {                                                                                  \
+      if constexpr (requires { ::muelle::AssertedIndex(index); }) {                                      \
+        ::muelle::eigenAssertionFailed(#condition, __PRETTY_FUNCTION__, ::muelle::AssertedIndex(index)); \
+      } else {                                                                                           \
+        ::muelle::eigenAssertionFailed(#condition, __PRETTY_FUNCTION__, ::muelle::AssertedIndex{});      \
+      }                                                                                                  \
+    }                                                                                                    \
   } while (false)

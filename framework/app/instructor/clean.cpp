@@ -16,11 +16,11 @@ int clean() {
 
 }  // namespace
 
-void addClean(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("clean", "Forget what has been graded, but not the seed");
-  command->footer(
+void addClean(CommandLine& program) {
+  CommandLine& command = program.command("clean", "Forget what has been graded, but not the seed");
+  command.footer(
       "The next grading compiles and tests everything again, with the same inputs.\nExample: ./muelle clean");
-  command->callback([&status] { status = clean(); });
+  command.action([] { return clean(); });
 }
 
 }  // namespace muelle::app

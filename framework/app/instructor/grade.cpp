@@ -96,27 +96,27 @@ int run(const GradeCommand& command) {
 
 }  // namespace
 
-void addGrade(CLI::App& app, int& status) {
+void addGrade(CommandLine& program) {
   const auto options = std::make_shared<GradeCommand>();
-  CLI::App* command = app.add_subcommand("grade", "Grade submissions with the hidden tests, in a sandbox");
-  command->add_option("SUBMISSION", options->submission,
-                      "A folder or an archive (zip, tar, 7z) with TOPIC/TOPIC.cpp, or the files flat");
-  command->add_option("--class", options->classFolder, "A folder in which each child is one submission");
-  command->add_option("--only", options->only, "Only these exercises, separated by commas")->delimiter(',');
-  command->add_option("--out", options->out, "Folder for the reports [out/NAME]");
-  command->add_option("--jobs,-j", options->jobs, "Tests at a time [the number of cores]")->check(CLI::Range(1, 256));
-  command->add_option("--seed", options->seed,
-                      "The instructor's seed, from which all random inputs derive [kept in the build folder]");
-  command->add_option("--sandbox", options->sandbox, "auto, bubblewrap, landlock or unsafe [auto]");
-  command->add_flag("--unsafe", options->unsafe, "No sandbox: only for files that you trust");
-  command->add_flag("--fresh", options->fresh, "Build and run again what has been graded before");
-  command->footer(
+  CommandLine& command = program.command("grade", "Grade submissions with the hidden tests, in a sandbox");
+  command.option("SUBMISSION", options->submission,
+                 "A folder or an archive (zip, tar, 7z) with TOPIC/TOPIC.cpp, or the files flat");
+  command.option("--class", options->classFolder, "A folder in which each child is one submission");
+  command.option("--only", options->only, "Only these exercises, separated by commas").separator(',');
+  command.option("--out", options->out, "Folder for the reports [out/NAME]");
+  command.option("--jobs,-j", options->jobs, "Tests at a time [the number of cores]").range(1, 256);
+  command.option("--seed", options->seed,
+                 "The instructor's seed, from which all random inputs derive [kept in the build folder]");
+  command.option("--sandbox", options->sandbox, "auto, bubblewrap, landlock or unsafe [auto]");
+  command.flag("--unsafe", options->unsafe, "No sandbox: only for files that you trust");
+  command.flag("--fresh", options->fresh, "Build and run again what has been graded before");
+  command.footer(
       "Exit code: 0 when it graded, whatever the score; 1 when the grader itself failed on something, which then has\n"
       "no score (type the same command again); 2 bad usage or input.\n"
       "Examples: ./muelle grade solutions\n"
       "          ./muelle grade hand-in.zip --out reports/hand-in\n"
       "          ./muelle grade --class submissions --only spring_1d,spring_3d");
-  command->callback([options, &status] { status = run(*options); });
+  command.action([options] { return run(*options); });
 }
 
 }  // namespace muelle::app

@@ -2,6 +2,7 @@
 /// `muelle run`: reads its command line, has the engine run a scene, prints the summary.
 
 #include "base/build_paths.h"
+#include "base/command_line.h"
 #include "base/errors.h"
 #include "base/text/printable.h"
 #include "engine/integrators/catalogue.h"
@@ -10,7 +11,6 @@
 #include "figures/write.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
@@ -87,37 +87,31 @@ int run(const Command& command) {
 
 int parseAndRun(int argc, char** argv) {
   Command command;
-  CLI::App app("Simulates a scene and says what it cost and how far it is off.", "./muelle run");
-  app.add_option("SCENE", command.scene, "A scene by its name (--list), or a file SCENE.toml");
-  app.add_option("--integrator", command.overrides.method, "The method, by its id (--methods) [the scene's]");
-  app.add_option("--dt", command.overrides.step, "Fixed step [s] [the scene's]");
-  app.add_option("--tolerance", command.overrides.tolerance,
+  muelle::CommandLine program("./muelle run", "Simulates a scene and says what it cost and how far it is off.");
+  program.option("SCENE", command.scene, "A scene by its name (--list), or a file SCENE.toml");
+  program.option("--integrator", command.overrides.method, "The method, by its id (--methods) [the scene's]");
+  program.option("--dt", command.overrides.step, "Fixed step [s] [the scene's]");
+  program.option("--tolerance", command.overrides.tolerance,
                  "Relative tolerance of a method with an error estimate [the scene's]");
-  app.add_option("--duration", command.overrides.duration, "Time to simulate [s] [the scene's]");
-  app.add_option("--output-interval", command.overrides.outputInterval, "Time between outputs [s] [the scene's]");
-  app.add_flag("--no-events", command.overrides.noEvents, "Step over contacts and jumps instead of ending steps there");
-  app.add_flag("--compensated", command.overrides.compensated, "Compensated summation, for long runs");
-  app.add_flag("--no-error-estimate", command.noErrorEstimate,
+  program.option("--duration", command.overrides.duration, "Time to simulate [s] [the scene's]");
+  program.option("--output-interval", command.overrides.outputInterval, "Time between outputs [s] [the scene's]");
+  program.flag("--no-events", command.overrides.noEvents, "Step over contacts and jumps instead of ending steps there");
+  program.flag("--compensated", command.overrides.compensated, "Compensated summation, for long runs");
+  program.flag("--no-error-estimate", command.noErrorEstimate,
                "Leave out the second run, with half the step, that costs twice the first");
-  app.add_flag("--plot", command.plot, "Draw energy, outputs, shape and paths");
-  app.add_flag("--csv", command.csv, "Write the trajectory as a table, nodes as the scene numbers them");
-  app.add_option("--out", command.out, "Folder for figures and table [out/SCENE]");
-  app.add_flag("--list", command.list, "Name the scenes, run none");
-  app.add_flag("--methods", command.methods, "Name the methods, run none");
-  app.footer(
+  program.flag("--plot", command.plot, "Draw energy, outputs, shape and paths");
+  program.flag("--csv", command.csv, "Write the trajectory as a table, nodes as the scene numbers them");
+  program.option("--out", command.out, "Folder for figures and table [out/SCENE]");
+  program.flag("--list", command.list, "Name the scenes, run none");
+  program.flag("--methods", command.methods, "Name the methods, run none");
+  program.footer(
       "Exit code: 0 done; 1 the run failed before its end; 2 bad usage or input.\n"
       "Examples: ./muelle run oscillator --plot\n"
       "          ./muelle run corner_hung_cloth --integrator velocity_verlet --dt 1e-4\n"
       "          ./muelle run elastic_pendulum --integrator dop853 --tolerance 1e-12 --csv --out results\n"
       "          ./muelle run my_scene.toml");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    // Calls for help are "errors" too, with exit code 0.
-    if (error.get_exit_code() == 0) return app.exit(error);
-    throw std::invalid_argument(fmt::format("{} (see ./muelle run --help)", error.what()));
-  }
-  return run(command);
+  program.action([&command] { return run(command); });
+  return program.run(argc, argv);
 }
 
 }  // namespace

@@ -77,26 +77,24 @@ int testTheTests(const MatrixCommand& command) {
 
 }  // namespace
 
-void addTestTheTests(CLI::App& app, int& status) {
+void addTestTheTests(CommandLine& program) {
   const auto options = std::make_shared<MatrixCommand>();
-  CLI::App* command = app.add_subcommand(
+  CommandLine& command = program.command(
       "test-the-tests", "Grade submissions of known worth and mutants of the solutions: the kill matrix");
-  command->add_option("TOPIC", options->topics, "Only these exercises [all that have submissions]");
-  command->add_flag("--no-mutants", options->noMutants, "Only the submissions of tests/submissions");
-  command
-      ->add_option("--mutants-every", options->mutantsEvery,
-                   "One mutant in so many, and those of mutants.toml [1: all]")
-      ->check(CLI::Range(1, 1000));
-  command->add_option("--jobs,-j", options->jobs, "Submissions at a time [2]")->check(CLI::Range(1, 256));
-  command->add_option("--csv", options->csv, "Also write every verdict to this file");
-  command->add_option("--seed", options->seed, "Other random inputs than the usual ones");
-  command->add_option("--sandbox", options->sandbox, "auto, bubblewrap, landlock or unsafe [auto]");
-  command->add_flag("--fresh", options->fresh, "Grade again what has been graded before");
-  command->footer(
+  command.option("TOPIC", options->topics, "Only these exercises [all that have submissions]");
+  command.flag("--no-mutants", options->noMutants, "Only the submissions of tests/submissions");
+  command.option("--mutants-every", options->mutantsEvery, "One mutant in so many, and those of mutants.toml [1: all]")
+      .range(1, 1000);
+  command.option("--jobs,-j", options->jobs, "Submissions at a time [2]").range(1, 256);
+  command.option("--csv", options->csv, "Also write every verdict to this file");
+  command.option("--seed", options->seed, "Other random inputs than the usual ones");
+  command.option("--sandbox", options->sandbox, "auto, bubblewrap, landlock or unsafe [auto]");
+  command.flag("--fresh", options->fresh, "Grade again what has been graded before");
+  command.footer(
       "x lost, . passed, ! otherwise than its first line states. Exit code: 0 when every row is exact and every\n"
       "surviving mutant has its reason in tests/submissions/TOPIC/mutants.toml, else 1.\n"
       "Example: ./muelle test-the-tests spring_3d --no-mutants");
-  command->callback([options, &status] { status = testTheTests(*options); });
+  command.action([options] { return testTheTests(*options); });
 }
 
 }  // namespace muelle::app

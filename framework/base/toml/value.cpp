@@ -37,7 +37,7 @@ TomlValue convert(const toml::node& node) {
     for (const toml::node& element : *array) value.list.push_back(convert(element));
   } else if (const auto* table = node.as_table()) {
     value.kind = TomlValue::Kind::Table;
-    for (const auto& [key, element] : *table) value.table.emplace_back(std::string(key.str()), convert(element));
+    for (const auto& [key, element] : *table) value.table.push_back({std::string(key.str()), convert(element)});
     std::ranges::stable_sort(value.table, {}, [](const auto& entry) { return entry.second.line; });
   }
   return value;
@@ -46,7 +46,7 @@ TomlValue convert(const toml::node& node) {
 }  // namespace
 
 const TomlValue* TomlValue::find(const std::string& key) const {
-  const auto found = std::ranges::find(table, key, &std::pair<std::string, TomlValue>::first);
+  const auto found = std::ranges::find(table, key, &TomlEntry::first);
   return found == table.end() ? nullptr : &found->second;
 }
 

@@ -2,10 +2,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace muelle {
+
+struct TomlEntry;
 
 /// A TOML file as plain data, each value with the line on which it stands: only one source reads toml++.
 struct TomlValue {
@@ -17,12 +18,18 @@ struct TomlValue {
   std::int64_t integer = 0;
   bool flag = false;
   std::vector<TomlValue> list;
-  std::vector<std::pair<std::string, TomlValue>> table;  ///< in the order of the file
+  std::vector<TomlEntry> table;  ///< in the order of the file
 
   /// The value of that key of a table; null when there is none.
   const TomlValue* find(const std::string& key) const;
   /// "a number", "a list": for messages.
   std::string kindName() const;
+};
+
+/// A key with its value.
+struct TomlEntry {
+  std::string first;  ///< the key
+  TomlValue second;
 };
 
 /// Reads a TOML file. Throws std::runtime_error "FILE:LINE: what is wrong"; files above 1 MiB are refused.

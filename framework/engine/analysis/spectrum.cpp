@@ -1,9 +1,10 @@
 #include "engine/analysis/spectrum.h"
 
+#include "engine/solve/dense.h"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <Eigen/Eigenvalues>
 #include <functional>
 #include <numeric>
 #include <random>
@@ -109,9 +110,9 @@ class Scaled {
 Mode topMode(Scaled& scaled, const std::function<void(const Vector&, Vector&)>& apply, int dimension, double& bound) {
   const Krylov space = krylov(apply, randomVector(scaled.size()), dimension);
   const Matrix symmetric = 0.5 * (space.hessenberg + space.hessenberg.transpose());
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(symmetric);
-  bound = eigen.eigenvalues().cwiseAbs().maxCoeff();
-  const Vector q = space.basis * eigen.eigenvectors().col(symmetric.cols() - 1);
+  const SymmetricEigenpairs eigen = symmetricEigenpairs(symmetric);
+  bound = eigen.values.cwiseAbs().maxCoeff();
+  const Vector q = space.basis * eigen.vectors.col(symmetric.cols() - 1);
   return scaled.quotients(q, Vector::Zero(scaled.size()));
 }
 
@@ -129,19 +130,18 @@ void addCoupledModes(Scaled& scaled, double rate, int dimension, std::vector<Mod
     result.tail(n) -= image;
   };
   const Krylov space = krylov(apply, randomVector(2 * n), dimension);
-  const Eigen::EigenSolver<Matrix> eigen(space.hessenberg);
+  const Eigenpairs eigen = eigenpairs(space.hessenberg);
   std::vector<Eigen::Index> order(static_cast<std::size_t>(space.hessenberg.cols()));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
-  std::sort(order.begin(), order.end(), [&](Eigen::Index i, Eigen::Index j) {
-    return std::abs(eigen.eigenvalues()[i]) > std::abs(eigen.eigenvalues()[j]);
-  });
+  std::sort(order.begin(), order.end(),
+            [&](Eigen::Index i, Eigen::Index j) { return std::abs(eigen.values[i]) > std::abs(eigen.values[j]); });
   // Ritz vectors cost size x dimension each: all of a small system, the outer ones of a large one.
   const bool all = n * space.basis.cols() * space.basis.cols() <= 4'000'000;
   std::size_t taken = 0;
   for (const Eigen::Index i : order) {
-    if (eigen.eigenvalues()[i].imag() < 0.0) continue;  // the partner of a conjugate pair
+    if (eigen.values[i].imag() < 0.0) continue;  // the partner of a conjugate pair
     if (!all && ++taken > 12) break;
-    const Eigen::VectorXcd s = eigen.eigenvectors().col(i);
+    const Eigen::VectorXcd s = eigen.vectors.col(i);
     const Matrix parts = space.basis * (Matrix(s.size(), 2) << s.real(), s.imag()).finished();
     const bool upper = parts.topRows(n).norm() > parts.bottomRows(n).norm();
     const Matrix y = upper ? parts.topRows(n) : parts.bottomRows(n);
@@ -183,12 +183,12 @@ std::vector<Mode> modesOf(const LinearisedSystem& system, In y, int dimension) {
   for (Eigen::Index i = 0; i < start.size(); ++i) start[i] = y[static_cast<std::size_t>(i)] * scaled.root()[i];
   if (!(start.norm() > 0.0) || !start.allFinite()) return {};
   const Krylov space = krylov([&](const Vector& q, Vector& r) { scaled.stiffness(q, r); }, start, dimension);
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(0.5 * (space.hessenberg + space.hessenberg.transpose()));
+  const SymmetricEigenpairs eigen = symmetricEigenpairs(0.5 * (space.hessenberg + space.hessenberg.transpose()));
   std::vector<Mode> modes;
-  for (Eigen::Index j = 0; j < eigen.eigenvalues().size(); ++j) {
-    const double share = eigen.eigenvectors()(0, j) * eigen.eigenvectors()(0, j);
+  for (Eigen::Index j = 0; j < eigen.values.size(); ++j) {
+    const double share = eigen.vectors(0, j) * eigen.vectors(0, j);
     if (share < 1e-6) continue;
-    const Vector q = space.basis * eigen.eigenvectors().col(j);
+    const Vector q = space.basis * eigen.vectors.col(j);
     modes.push_back(scaled.quotients(q, Vector::Zero(scaled.size())));
     modes.back().energy = share;
   }

@@ -1,13 +1,13 @@
 #include "engine/forces/positive_part.h"
 
-#include <Eigen/Eigenvalues>
+#include "engine/solve/dense.h"
 
 namespace muelle::engine {
 
 void keepPositivePart(Eigen::Ref<Eigen::MatrixXd> K) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen{Eigen::MatrixXd(K)};
-  const Eigen::MatrixXd scaled = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal();
-  K.noalias() = scaled * eigen.eigenvectors().transpose();
+  const SymmetricEigenpairs eigen = symmetricEigenpairs(K);
+  const Eigen::MatrixXd scaled = eigen.vectors * eigen.values.cwiseMax(0.0).asDiagonal();
+  K.noalias() = scaled * eigen.vectors.transpose();
 }
 
 }  // namespace muelle::engine

@@ -1,9 +1,10 @@
 #include "engine/solve/linear_solver.h"
 
+#include "engine/solve/dense.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
@@ -195,7 +196,7 @@ struct LinearSolver::Parts {
     }
     if (kind != Kind::LU) {
       const Matrix symmetric = 0.5 * (C + C.transpose());
-      const Vector values = Eigen::SelfAdjointEigenSolver<Matrix>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
+      const Vector values = symmetricEigenvalues(symmetric);
       result.negative += static_cast<int>((values.array() > 0.0).count() - (s.array() > 0.0).count());
       result.vanishing += static_cast<int>((values.array().abs() <= 8.0 * eps * values.cwiseAbs().maxCoeff()).count());
     }

@@ -1,9 +1,10 @@
 #include "engine/solve/newton.h"
 
+#include "engine/solve/dense.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <Eigen/QR>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -132,8 +133,8 @@ bool Newton::krylovDirection() {
     }
     hessenberg(j + 1, j) = image.norm();
     used = j + 1;
-    const auto part = hessenberg.topLeftCorner(used + 1, used);
-    coefficients = part.colPivHouseholderQr().solve(right.head(used + 1));
+    const Eigen::MatrixXd part = hessenberg.topLeftCorner(used + 1, used);
+    coefficients = leastSquares(part, right.head(used + 1));
     if ((part * coefficients - right.head(used + 1)).norm() <= 1e-2 * right[0]) break;
     if (!(hessenberg(j + 1, j) > 0.0)) break;
     basis.push_back(image / hessenberg(j + 1, j));

@@ -2,6 +2,7 @@
 /// The main of every hidden test program: grades one criterion and writes its record, or draws the demo's curves.
 /// No code of a student is ever loaded here; submission::f is a call to a worker.
 
+#include "base/command_line.h"
 #include "course/testing/random.h"
 #include "figures/write.h"
 #include "grader/record.h"
@@ -12,7 +13,7 @@
 #include "grader/testing/recorder.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 
 std::vector<muelle::Figure> muelleDemo();
@@ -26,14 +27,14 @@ using muelle::Outcome;
 struct Options {
   std::string topic;
   std::string suite;
-  std::filesystem::path worker;
-  std::filesystem::path host;
-  std::filesystem::path record;
-  std::filesystem::path figures;
-  std::filesystem::path coreLocks;
+  std::string worker;
+  std::string host;
+  std::string record;
+  std::string figures;
+  std::string coreLocks;
   std::string sandbox = "auto";
   std::uint64_t seed = 0;
-  long wallMilliseconds = 30'000;
+  int wallMilliseconds = 30'000;
   bool sanitised = false;
 };
 
@@ -51,23 +52,19 @@ int list() {
 
 Options readOptions(int argc, char** argv) {
   Options options;
-  CLI::App app("Grades one criterion of an exercise; started by the grader.");
-  app.add_option("--topic", options.topic)->required();
-  app.add_option("--suite", options.suite);
-  app.add_option("--worker", options.worker)->required();
-  app.add_option("--host", options.host)->required();
-  app.add_option("--record", options.record);
-  app.add_option("--figures", options.figures);
-  app.add_option("--core-locks", options.coreLocks)->required();
-  app.add_option("--sandbox", options.sandbox);
-  app.add_option("--wall-milliseconds", options.wallMilliseconds);
-  app.add_flag("--sanitised", options.sanitised);
-  app.add_option("--seed", options.seed)->required();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    throw std::runtime_error(error.what());
-  }
+  muelle::CommandLine program("", "Grades one criterion of an exercise; started by the grader.");
+  program.option("--topic", options.topic, "").required();
+  program.option("--suite", options.suite, "");
+  program.option("--worker", options.worker, "").required();
+  program.option("--host", options.host, "").required();
+  program.option("--record", options.record, "");
+  program.option("--figures", options.figures, "");
+  program.option("--core-locks", options.coreLocks, "").required();
+  program.option("--sandbox", options.sandbox, "");
+  program.option("--wall-milliseconds", options.wallMilliseconds, "");
+  program.flag("--sanitised", options.sanitised, "");
+  program.option("--seed", options.seed, "").required();
+  program.run(argc, argv);
   return options;
 }
 

@@ -1,4 +1,5 @@
 #include "engine/analysis/stability.h"
+#include "engine/solve/dense.h"
 
 #include "engine/analysis/amplification.h"
 #include "engine/analysis/numerical_damping.h"
@@ -7,7 +8,6 @@
 
 #include <gtest/gtest.h>
 #include <cmath>
-#include <Eigen/Eigenvalues>
 #include <numbers>
 
 namespace muelle::engine {
@@ -151,7 +151,7 @@ double stepRadius(Method& method, const LinearSystem& system, double h) {
       map(n + i, j) = to.v[static_cast<std::size_t>(i)];
     }
   }
-  return Eigen::EigenSolver<Matrix>(map).eigenvalues().cwiseAbs().maxCoeff();
+  return spectralRadius(map);
 }
 
 TEST(Stability, CoupledStiffnessAndDampingAgreeWithTheEigenvaluesOfTheStep) {

@@ -1,9 +1,9 @@
 #include "engine/integrators/implicit/methods.h"
+#include "engine/solve/dense.h"
 #include "run.h"
 #include "support/linear_system.h"
 
 #include <cmath>
-#include <Eigen/Dense>
 
 namespace muelle::engine {
 namespace {
@@ -43,9 +43,8 @@ Vector packed(const State& s) {
 
 /// y after `steps` of a one-step method with stability function denominator^-1 numerator.
 Vector recurrence(const Matrix& denominator, const Matrix& numerator, int steps) {
-  const Eigen::FullPivLU<Matrix> lu(denominator);
   Vector y = y0;
-  for (int i = 0; i < steps; ++i) y = lu.solve(numerator * y);
+  for (int i = 0; i < steps; ++i) y = solveFullPivoting(denominator, numerator * y);
   return y;
 }
 
@@ -89,13 +88,13 @@ TEST(Recurrence, Bdf2FollowsItsFormulaWithChangingSteps) {
     Vector y;
     if (last == 0.0) {
       const double gamma = 1.0 - std::sqrt(0.5);
-      const Eigen::FullPivLU<Matrix> lu(I - gamma * hA);
-      const Vector slope = hA * lu.solve(now);
-      y = lu.solve(now + (1.0 - gamma) * slope);
+      const Matrix stage = I - gamma * hA;
+      const Vector slope = hA * solveFullPivoting(stage, now);
+      y = solveFullPivoting(stage, now + (1.0 - gamma) * slope);
     } else {
       const double r = h / last;
       const Vector known = now * ((1.0 + r) * (1.0 + r) / (1.0 + 2.0 * r)) - before * (r * r / (1.0 + 2.0 * r));
-      y = Eigen::FullPivLU<Matrix>(I - (1.0 + r) / (1.0 + 2.0 * r) * hA).solve(known);
+      y = solveFullPivoting(I - (1.0 + r) / (1.0 + 2.0 * r) * hA, known);
     }
     before = now;
     now = y;

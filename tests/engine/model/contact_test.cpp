@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <cmath>
+#include <Eigen/Geometry>
 #include <functional>
 #include <numbers>
 

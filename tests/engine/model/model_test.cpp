@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <cmath>
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <functional>
 #include <limits>
 

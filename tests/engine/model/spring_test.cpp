@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <quadmath.h>
 #include <cmath>
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 
 namespace muelle::engine::testing {
 namespace {

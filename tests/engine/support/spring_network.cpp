@@ -1,7 +1,6 @@
 #include "support/spring_network.h"
 
 #include <algorithm>
-#include <Eigen/Eigenvalues>
 #include <utility>
 
 namespace muelle::engine::testing {

@@ -1,8 +1,10 @@
 #include "matrix/linear_theory.h"
 
+#include "engine/solve/dense.h"
+
 #include <array>
 #include <cmath>
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <functional>
 #include <limits>
 #include <span>
@@ -99,9 +101,9 @@ Square power(Square base, long long n) {
   return result;
 }
 
-double spectralRadius(const Eigen::MatrixXd& M) {
+double growthOf(const Eigen::MatrixXd& M) {
   if (!M.allFinite()) return std::numeric_limits<double>::infinity();
-  return M.eigenvalues().cwiseAbs().maxCoeff();
+  return engine::spectralRadius(M);
 }
 
 /// BDF2 on (y_n, y_{n-1}), the first step by Alexander's SDIRK of two stages.
@@ -160,12 +162,12 @@ std::optional<ModeForecast> forecast(const engine::MethodInfo& method, const Mod
     Eigen::Vector4d pair;
     pair << two.first * start, start;
     end = (power(two.step, steps - 1) * pair).head<2>();
-    result.growth = spectralRadius(two.step);
+    result.growth = growthOf(two.step);
   } else {
     const std::optional<Matrix> step = stepMatrix(method.id, mode, h);
     if (!step) return std::nullopt;
     end = power(*step, steps) * start;
-    result.growth = spectralRadius(*step);
+    result.growth = growthOf(*step);
   }
   const Vector2d exact = exponential(T * generator(mode)) * start;
   result.error = std::abs(mode.stiffness) > 0.0 ? sizeOf(mode, end - exact) : std::abs(end[0] - exact[0]);

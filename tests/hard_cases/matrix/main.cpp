@@ -1,19 +1,17 @@
 /// \file
 /// The program behind `muelle hard-cases`: every method on every hard case.
 
+#include "base/command_line.h"
+#include "base/errors.h"
 #include "base/file.h"
 #include "base/progress_bar.h"
-#include "base/text/printable.h"
 #include "figures/write.h"
 #include "matrix/matrix.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
-#include <stdexcept>
 
 namespace {
 
@@ -45,34 +43,25 @@ int runAll(const Command& command) {
 
 int run(int argc, char** argv) {
   Command command;
-  CLI::App app("Every method of the engine on every hard case: predicted first, then run.", "muelle hard-cases");
-  app.add_option("--case", command.options.cases, "Only these cases: H01 ... H24 [all]");
-  app.add_option("--method", command.options.methods, "Only these methods, by their ids [all]");
-  app.add_flag("--long", command.options.longRuns, "H01 over its million periods (minutes), and larger budgets");
-  app.add_option("--csv", command.csv, "Also write every cell to this file");
-  app.add_option("--out", command.out, "Write the page, the figure and the CSV file to this folder");
-  app.footer(
+  muelle::CommandLine program("./muelle hard-cases",
+                              "Every method of the engine on every hard case: predicted first, then run.");
+  program.option("--case", command.options.cases, "Only these cases: H01 ... H24 [all]");
+  program.option("--method", command.options.methods, "Only these methods, by their ids [all]");
+  program.flag("--long", command.options.longRuns, "H01 over its million periods (minutes), and larger budgets");
+  program.option("--csv", command.csv, "Also write every cell to this file");
+  program.option("--out", command.out, "Write the page, the figure and the CSV file to this folder");
+  program.footer(
       "1e-09 passed, ~1e-01 failed as predicted, n/a the system lacks what the method needs, ! failed unexpectedly.\n"
       "Exit code: 1 when a cell failed unexpectedly, else 0.\n"
       "Examples: ./muelle hard-cases --case H17 H18\n"
       "          ./muelle hard-cases --method velocity_verlet --csv cells.csv\n"
       "          ./muelle hard-cases --case H01 --long");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    throw std::invalid_argument(fmt::format("{} (see ./muelle hard-cases --help)", error.what()));
-  }
-  return runAll(command);
+  program.action([&command] { return runAll(command); });
+  return program.run(argc, argv);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "muelle: {}\n", muelle::printableLine(error.what()));
-    return 2;
-  }
+  return muelle::withErrorsOnOneLine([=] { return run(argc, argv); });
 }
