@@ -1,12 +1,15 @@
 #include "base/file.h"
 
+#include "base/process/descriptor.h"
+
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <system_error>
 
@@ -24,6 +27,20 @@ namespace {
 std::string temporaryName(const std::string& stem) {
   static std::atomic<unsigned> counter{0};
   return fmt::format(".{}.{}-{}.tmp", stem, ::getpid(), counter++);
+}
+
+/// The file's bytes at the end of `text`; the system's error number when it cannot be read to its end, else 0.
+int readWhole(const fs::path& file, std::string& text) {
+  const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (descriptor.get() < 0) return errno;
+  std::array<char, 65536> buffer;
+  for (;;) {
+    const ssize_t got = ::read(descriptor.get(), buffer.data(), buffer.size());
+    if (got == 0) return 0;
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return errno;
+    text.append(buffer.data(), static_cast<std::size_t>(got));
+  }
 }
 
 }  // namespace
@@ -49,11 +66,16 @@ void writeFile(const fs::path& file, std::string_view text) {
 }
 
 std::string readFile(const fs::path& file) {
-  if (fs::is_directory(file)) fail("read", file, std::strerror(EISDIR));
-  errno = 0;
-  std::ifstream in(file, std::ios::binary);
-  if (!in) fail("read", file, std::strerror(errno));
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  std::string text;
+  const int error = readWhole(file, text);
+  if (error != 0) fail("read", file, std::strerror(error));
+  return text;
+}
+
+std::optional<std::string> tryReadFile(const fs::path& file) {
+  std::string text;
+  if (readWhole(file, text) != 0) return std::nullopt;
+  return text;
 }
 
 TemporaryFolder::TemporaryFolder(const fs::path& parent) : path_(parent / temporaryName("work")) {

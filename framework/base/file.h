@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,9 @@ void writeFile(const std::filesystem::path& file, std::string_view text);
 
 /// The bytes of a file. Throws std::runtime_error with the name and the system's reason.
 std::string readFile(const std::filesystem::path& file);
+
+/// The same of a file that may not be there, or go while it is read, as those of a process in /proc: nullopt then.
+std::optional<std::string> tryReadFile(const std::filesystem::path& file);
 
 /// A fresh folder inside `parent` (made when missing), removed with all it holds at the end of its scope.
 class TemporaryFolder {

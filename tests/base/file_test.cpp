@@ -31,6 +31,21 @@ TEST(ReadFile, SaysWhichFileIsMissing) {
   }
 }
 
+#ifdef __linux__
+/// Address 0 of a process is no memory: opening the file goes well, reading it does not.
+TEST(ReadFile, SaysWhichFileBreaksOffWhileItIsRead) {
+  EXPECT_EQ(tryReadFile("/proc/self/mem"), std::nullopt);
+  EXPECT_THROW(readFile("/proc/self/mem"), std::runtime_error);
+}
+#endif
+
+TEST(ReadFile, OfAFileThatMayNotBeThere) {
+  const TemporaryFolder folder(::testing::TempDir());
+  EXPECT_EQ(tryReadFile(folder.path() / "a"), std::nullopt);
+  writeFile(folder.path() / "a", "x");
+  EXPECT_EQ(tryReadFile(folder.path() / "a"), "x");
+}
+
 TEST(TemporaryFolder, VanishesWithItsScope) {
   fs::path path;
   {

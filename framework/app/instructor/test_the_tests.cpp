@@ -1,11 +1,15 @@
 #include "app/commands.h"
+#include "base/build_paths.h"
 #include "base/file.h"
+#include "base/process/child.h"
 #include "base/progress_bar.h"
+#include "grader/matrix/corpus_share.h"
 #include "grader/matrix/matrix_text.h"
 #include "grader/record.h"
 
 #include <fmt/format.h>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -28,7 +32,8 @@ struct MatrixCommand {
   std::string sandbox = "auto";
   bool noMutants = false;
   bool fresh = false;
-  int mutantsEvery = 1;
+  bool remember = false;
+  int share = 1;
   int jobs = 2;
 };
 
@@ -44,7 +49,15 @@ std::vector<Manifest> chosen(const MatrixCommand& command, const grader::Workpla
   return manifests;
 }
 
-int testTheTests(const MatrixCommand& command) {
+/// The corpora that have tests of their own: attacks, and hand-ins that check and grade must judge alike.
+bool restOfTheCorpora() {
+  setenv("MUELLE_SHARE", "all", 1);
+  return runInForeground({"ctest", "--test-dir", build_paths::binary, "--label-regex", "^(hostile|parity)$",
+                          "--parallel", "2", "--output-on-failure", "--no-tests=error"}) == 0;
+}
+
+/// True when everything came out as stated.
+bool gradeMatrices(const MatrixCommand& command) {
   const auto start = std::chrono::steady_clock::now();
   const grader::Workplace workplace = grader::Workplace::ofThisBuild();
   grader::MatrixOptions options;
@@ -52,7 +65,7 @@ int testTheTests(const MatrixCommand& command) {
   options.grading.sandbox = grader::parseSandboxChoice(command.sandbox);
   options.grading.fresh = command.fresh;
   options.mutants = !command.noMutants;
-  options.mutantsEvery = command.mutantsEvery;
+  options.share = command.share;
   options.jobs = command.jobs;
   std::vector<grader::TopicMatrix> matrices;
   for (const Manifest& manifest : chosen(command, workplace)) {
@@ -69,9 +82,21 @@ int testTheTests(const MatrixCommand& command) {
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   fmt::print("{}{}time                      {:.0f} s\n", grader::summaryText(grader::summarise(matrices)),
-             command.mutantsEvery > 1 ? fmt::format("mutants                   one in {}\n", command.mutantsEvery) : "",
-             seconds);
+             command.share > 1 ? fmt::format("share                     one in {}\n", command.share) : "", seconds);
   if (!command.csv.empty()) muelle::writeFile(command.csv, grader::matrixCsv(matrices));
+  return good;
+}
+
+int testTheTests(const MatrixCommand& command) {
+  const bool isWhole = command.topics.empty() && !command.noMutants && command.share == 1;
+  if (command.remember && !isWhole) {
+    throw std::runtime_error("--remember notes the whole corpus as known: leave TOPIC, --no-mutants and --share out");
+  }
+  bool good = gradeMatrices(command);
+  if (isWhole) good = restOfTheCorpora() && good;
+  if (good && command.remember) {
+    grader::rememberCorpus(grader::Workplace::ofThisBuild().source / "tests" / "submissions");
+  }
   return good ? 0 : 1;
 }
 
@@ -83,16 +108,22 @@ void addTestTheTests(CommandLine& program) {
       "test-the-tests", "Grade submissions of known worth and mutants of the solutions: the kill matrix");
   command.option("TOPIC", options->topics, "Only these exercises [all that have submissions]");
   command.flag("--no-mutants", options->noMutants, "Only the submissions of tests/submissions");
-  command.option("--mutants-every", options->mutantsEvery, "One mutant in so many, and those of mutants.toml [1: all]")
+  command
+      .option("--share", options->share,
+              "One mutant and one known submission in so many, and all that are new or changed [1: all]")
       .range(1, 1000);
   command.option("--jobs,-j", options->jobs, "Submissions at a time [2]").range(1, 256);
   command.option("--csv", options->csv, "Also write every verdict to this file");
   command.option("--seed", options->seed, "Other random inputs than the usual ones");
   command.option("--sandbox", options->sandbox, "auto, bubblewrap, landlock or unsafe [auto]");
   command.flag("--fresh", options->fresh, "Grade again what has been graded before");
+  command.flag("--remember", options->remember,
+               "When all is as stated, note the submissions as known: ./muelle test then takes a share of them");
   command.footer(
       "x lost, . passed, ! otherwise than its first line states. Exit code: 0 when every row is exact and every\n"
-      "surviving mutant has its reason in tests/submissions/TOPIC/mutants.toml, else 1.\n"
+      "surviving mutant has its reason in tests/submissions/TOPIC/mutants.toml, else 1. Without TOPIC the attacks and "
+      "the\n"
+      "hand-ins that check and grade judge alike are tested, too.\n"
       "Example: ./muelle test-the-tests spring_3d --no-mutants");
   command.action([options] { return testTheTests(*options); });
 }

@@ -15,7 +15,7 @@ namespace muelle::grader {
 struct MatrixOptions {
   GradeOptions grading;
   bool mutants = true;
-  int mutantsEvery = 1;  ///< grade one mutant in so many; those listed in mutants.toml always
+  int share = 1;  ///< grade one known submission and one mutant in so many; new, changed and listed ones always
   int jobs = 2;
 };
 

@@ -1,4 +1,5 @@
 #include "base/file.h"
+#include "grader/matrix/corpus_share.h"
 #include "grader/matrix/matrix.h"
 #include "grader/record.h"
 
@@ -31,9 +32,10 @@ class Planner {
     matrix_.manifest = manifest_;
     addRow(MatrixRow::Kind::Solution, "solution", solution());
     addRow(MatrixRow::Kind::Stub, "stub", workplace_.exercises() / manifest_.topic);
-    addRows(MatrixRow::Kind::Right, "right");
-    addRows(MatrixRow::Kind::Wrong, "wrong");
-    if (options.mutants) addMutants(options.mutantsEvery);
+    const CorpusShare share(workplace_.source / "tests" / "submissions", options.share);
+    addRows(MatrixRow::Kind::Right, "right", share);
+    addRows(MatrixRow::Kind::Wrong, "wrong", share);
+    if (options.mutants) addMutants(options.share);
     return std::move(matrix_);
   }
 
@@ -42,7 +44,7 @@ class Planner {
   fs::path solution() const { return workplace_.source / "solutions" / manifest_.topic; }
   std::string shown(const fs::path& path) const { return path.lexically_relative(workplace_.source).string(); }
 
-  void addRows(MatrixRow::Kind kind, const std::string& side) {
+  void addRows(MatrixRow::Kind kind, const std::string& side, const CorpusShare& share) {
     std::vector<fs::path> folders;
     if (fs::exists(submissions() / side)) {
       for (const auto& entry : fs::directory_iterator(submissions() / side)) {
@@ -50,7 +52,9 @@ class Planner {
       }
     }
     std::sort(folders.begin(), folders.end());
-    for (const fs::path& folder : folders) addRow(kind, folder.filename().string(), folder);
+    for (const fs::path& folder : folders) {
+      if (share.takes(folder)) addRow(kind, folder.filename().string(), folder);
+    }
   }
 
   void addRow(MatrixRow::Kind kind, const std::string& name, const fs::path& folder) {

@@ -1,18 +1,14 @@
 #include "grader/remote/process_watch.h"
 
+#include "base/file.h"
+
 #include <unistd.h>
 #include <fstream>
-#include <iterator>
 #include <string>
 
 namespace muelle::grader {
 
 namespace {
-
-std::string processFile(pid_t pid, const char* name) {
-  std::ifstream stream("/proc/" + std::to_string(pid) + "/" + name);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// The only child of a process, 0 when it has none or several.
 pid_t onlyChild(pid_t pid) {
@@ -25,7 +21,7 @@ pid_t onlyChild(pid_t pid) {
 
 /// "S" sleeps, "T" is stopped, "D" waits for a disk, "R" runs; see proc(5).
 char stateOf(pid_t pid) {
-  const std::string stat = processFile(pid, "stat");
+  const std::string stat = tryReadFile("/proc/" + std::to_string(pid) + "/stat").value_or("");
   const std::size_t name = stat.rfind(')');  // the name may hold anything
   return name != std::string::npos && name + 2 < stat.size() ? stat[name + 2] : '?';
 }

@@ -245,11 +245,11 @@ void WorkerProcess::look(const Patience& patience, const std::string& function) 
                           Outcome::Crash);
   }
   watch_.observe();
-  if (Clock::now() < patience.wall) return;
   constexpr auto longestSleep = std::chrono::milliseconds(5000);
   if (watch_.sleptFor(std::min(longestSleep, patience.wallSpan / 2))) {
     throw SubmissionFault(fmt::format("{} {}", function, waitsWithoutEnd), Outcome::Crash);
   }
+  if (Clock::now() < patience.wall) return;
   throw SubmissionFault(fmt::format("{} did not return within {} on the clock", function, seconds(patience.wallSpan)),
                         Outcome::Wall);
 }

@@ -31,8 +31,7 @@ std::string environment(const char* name) {
 
 /// One run of CTest, which is the parent of all its tests: its process id and the time at which it was started.
 std::string thisRun() {
-  std::ifstream stat(fmt::format("/proc/{}/stat", getppid()));
-  std::string text{std::istreambuf_iterator<char>(stat), {}};
+  const std::string text = tryReadFile(fmt::format("/proc/{}/stat", getppid())).value_or("");
   std::istringstream fields(text.substr(std::min(text.rfind(')') + 1, text.size())));
   std::string started;
   for (int field = 3; field <= 22; ++field) fields >> started;  // proc(5)

@@ -61,28 +61,25 @@ void ExerciseRun::build(Try attempt) {
   }
 }
 
-std::string ExerciseRun::timedOutIn(const std::map<std::string, std::string>& suites, const Criterion& criterion,
-                                    std::string& function) const {
-  const auto find = [&](const std::string& name) {
-    const auto found = suites.find(name);
-    if (found == suites.end()) return false;
-    function = name;
-    return true;
-  };
-  if (find(Session::loading)) return suites.at(function);
-  return std::any_of(criterion.functions.begin(), criterion.functions.end(), find) ? suites.at(function) : "";
+const Verdict* ExerciseRun::unreturnedIn(const Unreturned& verdicts, const Criterion& criterion) {
+  const auto loading = verdicts.find(Session::loading);
+  if (loading != verdicts.end()) return &loading->second;
+  for (const std::string& function : criterion.functions) {
+    const auto found = verdicts.find(function);
+    if (found != verdicts.end()) return &found->second;
+  }
+  return nullptr;
 }
 
-Verdict ExerciseRun::withoutTrying(const Criterion& criterion, const std::string& function,
-                                   const std::string& suite) const {
+Verdict ExerciseRun::withoutTrying(const Criterion& criterion, const Verdict& elsewhere) const {
   Verdict verdict;
   verdict.topic = manifest_.topic;
   verdict.suite = criterion.suite;
-  verdict.outcome = Outcome::Cpu;
-  verdict.fault =
-      function == Session::loading
-          ? "the code that runs when your file is loaded does not end"
-          : fmt::format("{} did not return in time in criterion {}; this criterion needs it", function, suite);
+  verdict.outcome = elsewhere.outcome;
+  verdict.fault = elsewhere.timedOut == Session::loading
+                      ? elsewhere.fault
+                      : fmt::format("{} did not return in time in criterion {}; this criterion needs it",
+                                    elsewhere.timedOut, elsewhere.suite);
   return verdict;
 }
 
@@ -91,12 +88,12 @@ std::optional<Verdict> ExerciseRun::known(const Criterion& criterion, Try attemp
     auto kept = keptVerdict(grader_.workplace(), grader_.records(), *candidate_, criterion, grader_.options());
     if (kept) return kept;
   }
-  if (attempt == Try::Shared) return std::nullopt;
   const std::lock_guard lock(mutex_);
-  std::string function;
-  const std::string suite = timedOutIn(confirmed_, criterion, function);
-  if (suite.empty()) return std::nullopt;
-  return withoutTrying(criterion, function, suite);
+  const Verdict* elsewhere = unreturnedIn(confirmed_, criterion);
+  if (elsewhere == nullptr) return std::nullopt;
+  // Loading ends in the same way for all; of a function, what a criterion says must not depend on who came first.
+  const bool isCertain = attempt == Try::Alone || elsewhere->timedOut == Session::loading;
+  return isCertain ? std::optional(withoutTrying(criterion, *elsewhere)) : std::nullopt;
 }
 
 void ExerciseRun::judge(std::size_t index, Try attempt) {
@@ -105,14 +102,13 @@ void ExerciseRun::judge(std::size_t index, Try attempt) {
   const auto tryAlone = [&] { pool_.addAlone([self = shared_from_this(), index] { self->judge(index, Try::Alone); }); };
   if (attempt == Try::Shared) {
     const std::lock_guard lock(mutex_);
-    std::string function;
-    if (!timedOutIn(suspected_, criterion, function).empty()) return tryAlone();
+    if (unreturnedIn(suspected_, criterion) != nullptr) return tryAlone();
   }
   ++grader_.started_;
   Verdict verdict = judgeCriterion(grader_.workplace(), grader_.records(), *candidate_, criterion, grader_.options());
   if (isDoubtful(verdict) && attempt == Try::Shared) {
     const std::lock_guard lock(mutex_);
-    if (!verdict.timedOut.empty()) suspected_.emplace(verdict.timedOut, criterion.suite);
+    if (!verdict.timedOut.empty()) suspected_.emplace(verdict.timedOut, verdict);
     return tryAlone();
   }
   settle(criterion, std::move(verdict));
@@ -130,7 +126,7 @@ void ExerciseRun::settle(const Criterion& criterion, Verdict verdict) {
   }
   {
     const std::lock_guard lock(mutex_);
-    if (!verdict.timedOut.empty()) confirmed_.emplace(verdict.timedOut, criterion.suite);
+    if (!verdict.timedOut.empty()) confirmed_.emplace(verdict.timedOut, verdict);
     graded_.verdicts.insert_or_assign(criterion.suite, std::move(verdict));
   }
   finishPart();

@@ -31,10 +31,11 @@ class ExerciseRun : public std::enable_shared_from_this<ExerciseRun> {
   void finishPart();
   void fail(const std::string& what);
 
-  /// A function of the criterion that has run out of time elsewhere: the suite in which it did, "" when there is none.
-  std::string timedOutIn(const std::map<std::string, std::string>& suites, const Criterion& criterion,
-                         std::string& function) const;
-  Verdict withoutTrying(const Criterion& criterion, const std::string& function, const std::string& suite) const;
+  /// Verdicts of other criteria, by the function that did not return in them.
+  using Unreturned = std::map<std::string, Verdict>;
+  /// The one among them that the criterion cannot do without; null when there is none.
+  static const Verdict* unreturnedIn(const Unreturned& verdicts, const Criterion& criterion);
+  Verdict withoutTrying(const Criterion& criterion, const Verdict& elsewhere) const;
 
   Grader& grader_;
   Pool& pool_;
@@ -45,9 +46,9 @@ class ExerciseRun : public std::enable_shared_from_this<ExerciseRun> {
 
   std::mutex mutex_;
   GradedExercise graded_;
-  std::size_t missing_ = 0;                       ///< criteria and curves that are not done
-  std::map<std::string, std::string> suspected_;  ///< function -> suite in which it ran out of time once
-  std::map<std::string, std::string> confirmed_;  ///< ... and once more, alone
+  std::size_t missing_ = 0;  ///< criteria and curves that are not done
+  Unreturned suspected_;     ///< did not return once
+  Unreturned confirmed_;     ///< ... and once more, alone, or waits for what never comes
 };
 
 }  // namespace muelle::grader

@@ -3,6 +3,7 @@
 /// command is run again; a wrong one gets what it gets on a machine where all is well.
 
 #include "hunter.h"
+#include "small_disk.h"
 #include "staged.h"
 
 #include <csignal>
@@ -120,6 +121,51 @@ TEST_F(Fault, ACompilerThatDiesOfOneFileTwiceIsThatFilesFault) {
   expectUndisturbed(grade(honest()), honest());
 }
 
+/// From no room at all to so much that the object is still built and a record is not.
+TEST_F(Fault, AFullDisk) {
+  std::filesystem::create_directories(workplace_.kept);
+  const SmallDisk disk(workplace_.kept, 64UL << 20);
+  if (!disk.isMounted()) GTEST_SKIP() << "only root mounts a small disk";
+  for (const std::size_t left : {0UL, 16UL << 10, 256UL << 10, 1UL << 20}) {
+    SCOPED_TRACE(left);
+    for (const auto& entry : std::filesystem::directory_iterator(workplace_.kept)) remove_all(entry.path());
+    for (const Sources* sources : {&honest(), &wrong()}) {
+      disk.fill(left);
+      expectNothingWrong(grade(*sources), *sources);
+      disk.empty();
+      expectUndisturbed(grade(*sources), *sources);
+    }
+  }
+}
+
+/// A student who saves while the grader works is graded for one of the two files, whole.
+TEST_F(Fault, AFileThatChangesWhileItIsGraded) {
+  const std::filesystem::path handIn = folder_.path() / "hand-in";
+  const std::string& name = exercise_.files.front();
+  for (const Sources* sources : {&honest(), &wrong()}) {
+    const Sources& other = sources == &honest() ? wrong() : honest();
+    std::filesystem::create_directories(handIn);
+    writeFile(handIn / name, sources->at(name));
+    GradeOptions options;
+    options.seed = "staged faults";
+    options.withCurves = false;
+    Grader grader = openGrader(workplace_, options, {exercise_.topic});
+    const Submission taken = grader.take(handIn);
+    writeFile(handIn / name, other.at(name));
+    expectUndisturbed(muelle::grader::grade(grader, taken, 2).exercises.front(), *sources);
+  }
+}
+
+/// What was compiled without a sandbox, where a file could read all that its author may not, serves nobody within one.
+TEST_F(Fault, AnObjectOfAnotherSandboxIsBuiltAgain) {
+  expectUndisturbed(grade(honest(), SandboxChoice::Unsafe), honest());
+  const int unsafe = started();
+  expectUndisturbed(grade(honest()), honest());
+  EXPECT_EQ(started(), unsafe) << "the object or the verdicts of the run without a sandbox were taken";
+  expectUndisturbed(grade(honest()), honest());
+  EXPECT_EQ(started(), 0) << "an unchanged regrade starts nothing";
+}
+
 /// A sandbox that stops to work after it was tried.
 class BrokenSandbox : public Sandbox {
  public:
@@ -132,7 +178,7 @@ class BrokenSandbox : public Sandbox {
 
 TEST_F(Fault, ASandboxThatRefuses) {
   for (const Sources* sources : {&honest(), &wrong()}) {
-    expectNoScore(grade(*sources, std::make_unique<BrokenSandbox>()));
+    expectNoScore(grade(*sources, std::make_unique<BrokenSandbox>(), SandboxChoice::Automatic));
     expectUndisturbed(grade(*sources), *sources);
   }
 }

@@ -1,11 +1,11 @@
 #include "hunter.h"
 
+#include "base/file.h"
+
 #include <signal.h>
 #include <sys/types.h>
 #include <unistd.h>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 
@@ -20,8 +20,7 @@ struct Process {
 
 /// "17 (cc1plus) R 12 ...": the name may hold anything, blanks and brackets too.
 bool readProcess(const std::filesystem::path& folder, Process& process) {
-  std::ifstream stream(folder / "stat");
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::string text = tryReadFile(folder / "stat").value_or("");  // it may end while it is read
   const std::size_t open = text.find('(');
   const std::size_t close = text.rfind(')');
   if (open == std::string::npos || close == std::string::npos || close + 4 > text.size()) return false;

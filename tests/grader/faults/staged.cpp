@@ -29,19 +29,21 @@ StagedFault::StagedFault() : exercise_(readCourse(workplace_.exercises()).front(
   wrong_ = sourcesIn(firstIn(corpus / "wrong"), exercise_);
 }
 
-GradedExercise StagedFault::grade(const Sources& sources) const {
-  return grade(sources, makeSandbox(SandboxChoice::Automatic));
+GradedExercise StagedFault::grade(const Sources& sources, SandboxChoice sandbox) {
+  return grade(sources, makeSandbox(sandbox), sandbox);
 }
 
-GradedExercise StagedFault::grade(const Sources& sources, std::unique_ptr<Sandbox> sandbox) const {
+GradedExercise StagedFault::grade(const Sources& sources, std::unique_ptr<Sandbox> sandbox, SandboxChoice choice) {
   GradeOptions options;
   options.seed = "staged faults";
+  options.sandbox = choice;
   options.withCurves = false;
   Grader grader(workplace_, {exercise_}, options, std::move(sandbox));
   Pool pool(2);
   GradedExercise result;
   grader.addExercise(pool, exercise_, &sources, {}, [&result](GradedExercise graded) { result = std::move(graded); });
   pool.run();
+  started_ = grader.started();
   return result;
 }
 
@@ -69,7 +71,7 @@ void StagedFault::expectNoScore(const GradedExercise& graded) {
   }
 }
 
-void StagedFault::expectUndisturbed(const GradedExercise& graded, const Sources& sources) const {
+std::map<std::string, double> StagedFault::calmPoints(const Sources& sources) const {
   static std::map<Sources, std::map<std::string, double>> known;
   if (!known.contains(sources)) {
     const TemporaryFolder elsewhere(fs::temp_directory_path());
@@ -87,9 +89,26 @@ void StagedFault::expectUndisturbed(const GradedExercise& graded, const Sources&
     });
     pool.run();
   }
+  return known[sources];
+}
+
+void StagedFault::expectNothingWrong(const GradedExercise& graded, const Sources& sources) const {
+  const auto calm = calmPoints(sources);
+  if (graded.build.status == BuildOutcome::Status::GraderFault) return;
   EXPECT_EQ(graded.build.status, BuildOutcome::Status::Built) << graded.build.message << graded.build.diagnostics;
   for (const Criterion& criterion : graded.manifest.criteria) {
-    EXPECT_EQ(score(criterion, graded), known[sources][criterion.suite]) << criterion.suite;
+    const auto points = score(criterion, graded);
+    if (points) {
+      EXPECT_EQ(*points, calm.at(criterion.suite)) << criterion.suite;
+    }
+  }
+}
+
+void StagedFault::expectUndisturbed(const GradedExercise& graded, const Sources& sources) const {
+  const auto calm = calmPoints(sources);
+  EXPECT_EQ(graded.build.status, BuildOutcome::Status::Built) << graded.build.message << graded.build.diagnostics;
+  for (const Criterion& criterion : graded.manifest.criteria) {
+    EXPECT_EQ(score(criterion, graded), calm.at(criterion.suite)) << criterion.suite;
     if (sources == honest_) {
       EXPECT_EQ(score(criterion, graded), criterion.points) << criterion.suite;
     }

@@ -16,11 +16,15 @@ class StagedFault : public ::testing::Test {
   StagedFault();
 
   /// Grades once, as a command of its own would: what earlier ones have kept is found.
-  GradedExercise grade(const Sources& sources) const;
-  GradedExercise grade(const Sources& sources, std::unique_ptr<Sandbox> sandbox) const;
+  GradedExercise grade(const Sources& sources, SandboxChoice sandbox = SandboxChoice::Automatic);
+  GradedExercise grade(const Sources& sources, std::unique_ptr<Sandbox> sandbox, SandboxChoice choice);
+  /// Programs that the last grading has started.
+  int started() const { return started_; }
 
   /// No score for anything, and words of whose fault it is.
   static void expectNoScore(const GradedExercise& graded);
+  /// Of each criterion no score, or the one of a machine where all is well.
+  void expectNothingWrong(const GradedExercise& graded, const Sources& sources) const;
   /// The points of each criterion, as on a machine where all is well.
   void expectUndisturbed(const GradedExercise& graded, const Sources& sources) const;
 
@@ -36,8 +40,12 @@ class StagedFault : public ::testing::Test {
   Manifest exercise_;
 
  private:
+  /// Suite -> points, of a grading that nothing disturbs.
+  std::map<std::string, double> calmPoints(const Sources& sources) const;
+
   Sources honest_;
   Sources wrong_;
+  int started_ = 0;
 };
 
 }  // namespace muelle::grader

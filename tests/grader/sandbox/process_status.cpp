@@ -1,10 +1,11 @@
 #include "process_status.h"
 
+#include "base/file.h"
+
 #include <sched.h>
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -15,11 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path folder(pid_t pid) { return fs::path("/proc") / std::to_string(pid); }
-
-std::string wholeFile(const fs::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 std::string target(const fs::path& link) {
   std::error_code ignored;
@@ -75,12 +71,12 @@ std::set<std::string> ProcessStatus::mappedFiles() const {
   return files;
 }
 
-std::string ProcessStatus::environment() const { return wholeFile(folder(pid_) / "environ"); }
+std::string ProcessStatus::environment() const { return tryReadFile(folder(pid_) / "environ").value_or(""); }
 
 std::string ProcessStatus::workingDirectory() const { return target(folder(pid_) / "cwd"); }
 
 std::string ProcessStatus::terminal() const {
-  const std::string stat = wholeFile(folder(pid_) / "stat");
+  const std::string stat = tryReadFile(folder(pid_) / "stat").value_or("");
   std::istringstream words(stat.substr(std::min(stat.rfind(')') + 2, stat.size())));
   std::string state, parent, group, session, terminal;
   words >> state >> parent >> group >> session >> terminal;
