@@ -131,7 +131,9 @@ TEST_F(Fault, AFullDisk) {
     for (const auto& entry : std::filesystem::directory_iterator(workplace_.kept)) remove_all(entry.path());
     for (const Sources* sources : {&honest(), &wrong()}) {
       disk.fill(left);
-      expectNothingWrong(grade(*sources), *sources);
+      const GradedExercise graded = grade(*sources);
+      expectNothingWrong(graded, *sources);
+      if (left == 0) expectNoScore(graded);
       disk.empty();
       expectUndisturbed(grade(*sources), *sources);
     }

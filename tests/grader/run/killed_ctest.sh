@@ -3,7 +3,7 @@
 # the run that was killed, and the next run says what an undisturbed one says.
 # Usage: killed_ctest.sh STEP SOURCE [KILLS]     STEP: the program muelle-grade-step
 set -uo pipefail
-step="$1" source="$2" kills="${3:-3}"
+step="$1" source="$2" kills="${3:-2}"
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 
