@@ -1,6 +1,5 @@
 #include "app/commands.h"
-#include "base/build_paths.h"
-#include "base/process/child.h"
+#include "app/run_ctest.h"
 
 #include <memory>
 #include <string>
@@ -17,11 +16,10 @@ struct TestOptions {
 
 /// The tests of the framework and of the grader; grading a submission (label `grade`) is another command.
 int test(const TestOptions& options) {
-  std::vector<std::string> command{"ctest",      "--test-dir", build_paths::binary,   "--label-exclude", "^grade$",
-                                   "--parallel", "2",          "--output-on-failure", "--no-tests=error"};
-  if (!options.filter.empty()) command.insert(command.end(), {"--tests-regex", options.filter});
-  if (options.listOnly) command.push_back("--show-only");
-  return runInForeground(command) == 0 ? 0 : 1;
+  std::vector<std::string> selection{"--label-exclude", "^grade$"};
+  if (!options.filter.empty()) selection.insert(selection.end(), {"--tests-regex", options.filter});
+  if (options.listOnly) selection.emplace_back("--show-only");
+  return runCtest(selection);
 }
 
 }  // namespace

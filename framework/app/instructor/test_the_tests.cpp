@@ -1,7 +1,6 @@
 #include "app/commands.h"
-#include "base/build_paths.h"
+#include "app/run_ctest.h"
 #include "base/file.h"
-#include "base/process/child.h"
 #include "base/progress_bar.h"
 #include "grader/matrix/corpus_share.h"
 #include "grader/matrix/matrix_text.h"
@@ -52,8 +51,7 @@ std::vector<Manifest> chosen(const MatrixCommand& command, const grader::Workpla
 /// The corpora that have tests of their own: attacks, and hand-ins that check and grade must judge alike.
 bool restOfTheCorpora() {
   setenv("MUELLE_SHARE", "all", 1);
-  return runInForeground({"ctest", "--test-dir", build_paths::binary, "--label-regex", "^(hostile|parity)$",
-                          "--parallel", "2", "--output-on-failure", "--no-tests=error"}) == 0;
+  return runCtest({"--label-regex", "^(hostile|parity)$"}) == 0;
 }
 
 /// True when everything came out as stated.
