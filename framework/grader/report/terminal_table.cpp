@@ -104,6 +104,7 @@ class Table {
                                                                           : paint::yellow;
     row(mark(state), criterion.name,
         fmt::format("{} / {}", showScore(criterion, exercise), showPoints(criterion.points)), code);
+    if (state == State::Passed) return;  // at most the note, which stands under the exercise
     const std::vector<std::string> lines = feedback(criterion, exercise);
     if (!lines.empty()) paragraph("      ", lines.front(), paint::dim);
   }

@@ -3,7 +3,7 @@
 # that nobody disturbed.
 # Usage: killed_class.sh MUELLE SOURCE [KILLS [STUDENTS [EXERCISES]]]     usually 10 kills, 12 students, one exercise
 set -uo pipefail
-muelle="$1" source="$2" kills="${3:-10}" students="${4:-12}" exercises="${5:-1}"
+muelle="$(realpath "$1")" source="$(realpath "$2")" kills="${3:-10}" students="${4:-12}" exercises="${5:-1}"
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 

@@ -66,6 +66,8 @@ TEST(TerminalTable, ShowsHowTheFileWasTaken) {
   GradedSubmission graded = sampleSubmission();
   for (GradedExercise& exercise : graded.exercises) exercise.note = "taken from " + exercise.manifest.topic;
   const std::string text = terminalTable(graded, false, 110);
+  const std::size_t first = text.find("note: taken from spring_1d");
+  EXPECT_EQ(text.find("note: taken from spring_1d", first + 1), std::string::npos) << "once is enough\n" << text;
   EXPECT_NE(text.find("  note: taken from spring_1d\n"), std::string::npos) << text;
   EXPECT_NE(text.find("  note: taken from damping\n"), std::string::npos) << "of a file that was not handed in";
 }
