@@ -1,0 +1,85 @@
+#include "figures/figure_data.h"
+
+#include "figures/data_block.h"
+#include "figures/line_styles.h"
+#include "figures/ranges.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+namespace muelle::figures {
+
+std::string Curve::nameInKey() const {
+  return block >= 0 || series->name.empty() ? series->name : series->name + " (no data)";
+}
+
+const std::string& xLabelOf(const Figure& figure, const Panel& panel) {
+  return panel.xLabel.empty() ? figure.xLabel() : panel.xLabel;
+}
+
+namespace {
+
+std::vector<const Series*> inKeyOrder(const Panel& panel) {
+  std::vector<const Series*> order;
+  for (const Series& series : panel.series) order.push_back(&series);
+  std::stable_partition(order.begin(), order.end(), [](const Series* s) { return s->pen != Pen::Reference; });
+  return order;
+}
+
+bool isDrawnAsPoints(Pen pen, const std::string& lines) {
+  if (pen == Pen::Points || pen == Pen::Cells) return true;
+  // A line through one point would not be seen.
+  const bool isOnePoint = std::count(lines.begin(), lines.end(), '\n') == 1;
+  return isOnePoint && (pen == Pen::Line || pen == Pen::Reference);
+}
+
+class DataWriter {
+ public:
+  explicit DataWriter(const Figure& figure) : figure_(figure) { data_.text = "# " + figure.title() + '\n'; }
+
+  FigureData write() {
+    for (const Panel& panel : figure_.panels()) addPanel(panel);
+    return std::move(data_);
+  }
+
+ private:
+  void addPanel(const Panel& panel) {
+    PanelCurves drawn;
+    if (panel.field) drawn.fieldBlock = addBlock(panel.field->label, fieldBlock(*panel.field));
+    int next = 0;  // position in the palette
+    for (const Series* series : inKeyOrder(panel)) drawn.curves.push_back(addCurve(*series, panel, next));
+    data_.panels.push_back(std::move(drawn));
+  }
+
+  Curve addCurve(const Series& series, const Panel& panel, int& next) {
+    const std::string lines =
+        series.pen == Pen::Arrows ? arrowBlock(series) : dataBlock(series, hasLogX(figure_, panel), panel.logY);
+    const int style = styleOf(series, next);
+    const int mark = series.pen == Pen::Cells ? style + cellStyle : style;
+    const std::string name = fmt::format("{}; columns: {}, {}", series.name, xLabelOf(figure_, panel), panel.yLabel);
+    return {&series, lines.empty() ? -1 : addBlock(name, lines), isDrawnAsPoints(series.pen, lines), style, mark};
+  }
+
+  int styleOf(const Series& series, int& next) {
+    if (series.pen == Pen::Reference) return referenceStyle;
+    const int position = series.colour >= 0 ? series.colour : next++;
+    data_.styleCount = std::max(data_.styleCount, std::min(position + 1, mostLineStyles));
+    return 1 + position % mostLineStyles;
+  }
+
+  /// The index of the block.
+  int addBlock(const std::string& name, const std::string& lines) {
+    data_.text += fmt::format("{}# block {}: {}\n{}", blocks_ > 0 ? "\n\n" : "", blocks_, name, lines);
+    return blocks_++;
+  }
+
+  const Figure& figure_;
+  FigureData data_;
+  int blocks_ = 0;
+};
+
+}  // namespace
+
+FigureData figureData(const Figure& figure) { return DataWriter(figure).write(); }
+
+}  // namespace muelle::figures

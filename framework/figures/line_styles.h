@@ -1,0 +1,13 @@
+#pragma once
+
+/// \file
+/// The numbers of gnuplot's line styles: 1 to mostLineStyles for the palette, one for references, and for each of the
+/// palette one that marks a category of a table.
+
+namespace muelle::figures {
+
+inline constexpr int mostLineStyles = 12;
+inline constexpr int referenceStyle = 20;
+inline constexpr int cellStyle = 30;  ///< added to the style of a curve
+
+}  // namespace muelle::figures

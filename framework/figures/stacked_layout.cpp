@@ -1,0 +1,52 @@
+#include "figures/stacked_layout.h"
+
+#include "figures/key_layout.h"
+#include "figures/measures.h"
+#include "figures/plot_box.h"
+
+namespace muelle::figures {
+
+namespace {
+
+constexpr double panelGap = 16;
+constexpr double footHeight = 72;  // numbers and label of the x axis
+constexpr double labelRise = 12;   // the x label stands so far above the foot's end
+constexpr double singleHeight = 386;
+constexpr double stackedHeight = 196;
+constexpr double equalHeight = 500;
+constexpr double slimmest = 360;  // width of a plot with equal axes
+
+double plotHeightOf(const FigureShape& figure) {
+  if (figure.panels.size() != 1) return stackedHeight;
+  return figure.panels.front().equalAxes ? equalHeight : singleHeight;
+}
+
+/// \param top of the panel: of the row of its y label
+PanelLayout panelAt(double top, const PanelShape& shape, double plotHeight) {
+  const KeyRows key = keyRows(shape, plotRight - plotLeft + labelIndent);
+  const double plotTop = top + (rowHeight * static_cast<double>(key.size()) + headerFoot);
+  PanelLayout panel;
+  panel.plot = {plotLeft, plotRight, plotTop, plotTop + plotHeight};
+  panel.x = shape.x.range;
+  panel.y = shape.y.range;
+  if (shape.equalAxes) equaliseAxes(panel, shape.colours.has_value(), slimmest);
+  placeHeader(panel.plot.left - labelIndent, plotRight, shape, key, panel);
+  if (shape.xLabel) panel.xLabel = xLabelBelow(panel.plot, footOf(shape) - labelRise, *shape.xLabel);
+  return panel;
+}
+
+}  // namespace
+
+Layout stackedLayout(const FigureShape& figure) {
+  const double plotHeight = plotHeightOf(figure);
+  Layout layout;
+  double top = titleHeight;
+  for (const PanelShape& shape : figure.panels) {
+    layout.panels.push_back(panelAt(top, shape, plotHeight));
+    top = layout.panels.back().plot.bottom + panelGap;
+  }
+  layout.height = top - panelGap + footHeight;
+  return layout;
+}
+
+}  // namespace muelle::figures
