@@ -12,7 +12,7 @@ namespace {
 
 constexpr double slideHeight = 540;  // 16 : 9
 constexpr double columnGap = 26;
-constexpr double slideIndent = 24;  // the y label begins so far right of its column's beginning
+constexpr double slideIndent = 24;  // the least room left of a y label
 constexpr double headingHeight = 26;
 constexpr double headingGap = 10;   // between a heading and the y label beside it
 constexpr double labelRise = 14;    // the x label stands so far above the foot's end
@@ -31,6 +31,9 @@ double leftMarginOf(const AxisShape& y, double height) {
   const double widest = y.logarithmic ? textWidth(5) : textWidth(widestNumber(y.range, yStepOf(y, y.range, height)));
   return std::clamp(34 + widest, 64.0, plotLeft);
 }
+
+/// So far left of its plot, over the numbers of its axis, begins the y label.
+double indentOfLabel(double leftMargin) { return std::min(labelIndent, leftMargin - slideIndent); }
 
 /// A panel of a slide while it is placed.
 struct Draft {
@@ -84,8 +87,9 @@ class SlideLayout {
   void include(const PanelShape& shape) {
     constexpr double aroundPlot = 130;
     const double height = slideHeight / static_cast<double>(rows_.size()) - aroundPlot;
-    Draft draft{shape, leftMarginOf(shape.y, height), keyRows(shape, columnWidth_ - slideIndent - besideKey(shape)),
-                false};
+    const double leftMargin = leftMarginOf(shape.y, height);
+    const double room = columnWidth_ - leftMargin + indentOfLabel(leftMargin);  // from the y label's beginning
+    Draft draft{shape, leftMargin, keyRows(shape, room - besideKey(shape)), false};
     draft.headingBesideLabel = fitsBesideLabel(draft);
     Row& row = rows_[drafts_.size() / columns_];
     row.header = std::max(row.header, draft.header());
@@ -122,7 +126,7 @@ class SlideLayout {
 
   /// Over the numbers of the y axis, further left where the heading would touch it.
   static double labelLeft(const Draft& draft, const Box& plot) {
-    const double overNumbers = plot.left - std::min(labelIndent, draft.leftMargin - slideIndent);
+    const double overNumbers = plot.left - indentOfLabel(draft.leftMargin);
     if (!draft.headingBesideLabel) return overNumbers;
     const double heading = 0.5 * (plot.left + plot.right) - 0.5 * draft.shape.heading;
     return std::min(overNumbers, heading - headingGap - draft.shape.yLabel);
