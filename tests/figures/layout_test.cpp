@@ -158,6 +158,14 @@ TEST(Key, BreaksIntoRowsThatEndWithThePlot) {
   EXPECT_DOUBLE_EQ(panel.key[3].box().right, 926);
 }
 
+TEST(Key, FillsARowToTheLastPixel) {
+  // 902 from the label's beginning to the plot's end, less 120 of the label and a gap of 20 behind each.
+  const PanelLayout fits = layOut(stackOf({panelWith({371, 351})})).panels.front();
+  EXPECT_DOUBLE_EQ(fits.key.at(1).y, fits.yLabel.y);
+  const PanelLayout breaks = layOut(stackOf({panelWith({371, 352})})).panels.front();
+  EXPECT_GT(breaks.key.at(1).y, breaks.yLabel.y);
+}
+
 TEST(Key, OfOneEntryARowHasOneBeginning) {
   const PanelLayout panel = layOut(stackOf({panelWith({500, 600, 700})})).panels.front();
   ASSERT_EQ(panel.key.size(), 3U);
