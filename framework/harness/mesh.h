@@ -6,26 +6,13 @@
 
 namespace muelle {
 
-/// Nodes and the springs between them.
+/// Nodes and the springs between them, as data. Building one, lumping its mass and choosing its springs are exercises, so
+/// nothing here does it: a demo that needs a mesh has it written out, in a header of its folder where it is long.
+///
+///     const muelle::Mesh bar = {{{Vec3(0, 0, 0)}, {Vec3(0, 0, 1)}}, {{0, 1, 100.0, 1.0}}};
 struct Mesh {
   std::vector<Node> nodes;
   std::vector<Spring> springs;
 };
-
-/// What a generator gives every spring and the whole: total mass M is lumped, m = M / n (slide "Masa/Inercia").
-struct Material {
-  double M = 1.0;    ///< total mass [kg]
-  double k = 100.0;  ///< stiffness of each spring [N/m]
-};
-
-/// n nodes on a line from `start` to `end`, n - 1 springs at rest. n >= 2.
-Mesh chain(int n, const Vec3& start, const Vec3& end, const Material& material);
-
-/// nx by ny nodes in the plane z = 0 from the origin, `spacing` [m] apart; springs along the edges and, with `shear`,
-/// both diagonals of each cell, all at rest. Node (i, j) has index j * nx + i. nx, ny >= 2.
-Mesh grid(int nx, int ny, double spacing, bool shear, const Material& material);
-
-/// Three nodes and the springs 01, 12, 20, at rest at the given corners.
-Mesh triangle(const Vec3& x0, const Vec3& x1, const Vec3& x2, const Material& material);
 
 }  // namespace muelle

@@ -1,4 +1,5 @@
 #include "harness/function_system.h"
+#include "harness/mesh.h"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -41,6 +42,14 @@ TEST(FlatArrays, HoldThreeEntriesANode) {
   std::vector<double> f(6);
   node3(Out(f), 1) = Vec3(1, 2, 3);
   EXPECT_EQ(f, (std::vector<double>{0, 0, 0, 1, 2, 3}));
+}
+
+TEST(FlatArrays, AreThoseOfAMeshWrittenOut) {
+  const Mesh bar = {{{Vec3(0, 0, 0)}, {Vec3(0, 0, 1), Vec3(1, 0, 0), 2.0}}, {{0, 1, 100.0, 1.0}}};
+  EXPECT_EQ(stateOf(bar.nodes).x, (std::vector<double>{0, 0, 0, 0, 0, 1}));
+  EXPECT_EQ(stateOf(bar.nodes).v, (std::vector<double>{0, 0, 0, 1, 0, 0}));
+  EXPECT_EQ(massesOf(bar.nodes), (std::vector<double>{1, 1, 1, 2, 2, 2}));
+  EXPECT_EQ(bar.springs.front().L0, 1.0);
 }
 
 TEST(FlatArrays, RefusePinnedNodes) {
