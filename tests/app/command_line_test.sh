@@ -1,7 +1,10 @@
 #!/usr/bin/env bash
-# Usage: command_line_test.sh MUELLE. Every wrong command line ends with 2 and one line that starts with "muelle: ".
+# Usage: command_line_test.sh MUELLE EXERCISES. Every wrong command line ends with 2 and one line that starts with
+# "muelle: ". EXERCISES is the course's folder; any of its exercises would do.
 set -uo pipefail
 muelle="$1"
+manifests=("$2"/*/exercise.toml)
+topic="$(basename "$(dirname "${manifests[0]}")")"
 failures=0
 
 # expect CODE TEXT ARGUMENTS...: exit code, and a text that must stand in what is printed.
@@ -30,11 +33,11 @@ expect 0 "Example:" check --help
 expect 0 "Example:" list --help
 expect 0 "Example:" test --help
 expect 0 "Example:" docs --help
-expect 0 "spring_1d" list
+expect 0 "$topic" list
 expect 2 "did you mean 'check'?" chek
 expect 2 "there are check" xyzzy
-expect 2 "did you mean 'spring_1d'?" check sprng_1d
+expect 2 "did you mean '$topic'?" check "${topic:0:2}${topic:3}"
 expect 2 "--fiel" check --fiel x
-expect 2 "no file" check --file /nonexistent/spring_1d.cpp
+expect 2 "no file" check --file "/nonexistent/$topic.cpp"
 expect 2 '\x1b[31m' $'\e[31m'
 exit $((failures > 0))

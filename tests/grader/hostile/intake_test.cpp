@@ -8,6 +8,7 @@
 
 #include "base/build_paths.h"
 #include "base/file.h"
+#include "course/manifest.h"
 #include "grader/record.h"
 
 #include <gtest/gtest.h>
@@ -25,33 +26,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path solution = fs::path(build_paths::source) / "solutions" / "spring_1d" / "spring_1d.cpp";
-
 class HostileIntake : public ::testing::Test {
  protected:
-  HostileIntake() : surroundings_(fs::path(build_paths::source) / "solutions") {}
+  HostileIntake() : surroundings_(course_ / "solutions") {}
   ~HostileIntake() override { EXPECT_EQ(surroundings_.changes(), ""); }
 
-  fs::path source() const { return folder_.path() / "spring_1d.cpp"; }
-  void expectNothingFor(const fs::path& submission) const { expectDefeated(gradeAttack(submission, "spring_1d"), ""); }
+  fs::path source() const { return folder_.path() / file_; }
+  void expectNothingFor(const fs::path& submission) const { expectDefeated(gradeAttack(submission, topic_), ""); }
 
+  const fs::path course_ = build_paths::source;
+  const std::string topic_ = readCourse(course_ / "exercises").front().topic;  // any would do
+  const std::string file_ = topic_ + ".cpp";
+  const fs::path solution_ = course_ / "solutions" / topic_ / file_;
   TemporaryFolder folder_;
   Surroundings surroundings_;
 };
 
 TEST_F(HostileIntake, SymbolicLinkToTheSolution) {
-  fs::create_symlink(solution, source());
+  fs::create_symlink(solution_, source());
   expectNothingFor(folder_.path());
 }
 
 TEST_F(HostileIntake, FolderThatIsALink) {
-  fs::create_directory_symlink(solution.parent_path(), folder_.path() / "spring_1d");
+  fs::create_directory_symlink(solution_.parent_path(), folder_.path() / topic_);
   expectNothingFor(folder_.path());
 }
 
 TEST_F(HostileIntake, HardLinkToTheSolution) {
   std::error_code error;
-  const fs::path copy = folder_.write("elsewhere/copy.cpp", readFile(solution));
+  const fs::path copy = folder_.write("elsewhere/copy.cpp", readFile(solution_));
   fs::create_hard_link(copy, source(), error);
   if (error) GTEST_SKIP() << "the file system makes no hard links";
   expectNothingFor(folder_.path());
@@ -69,7 +72,7 @@ TEST_F(HostileIntake, EndlessDevice) {
 
 TEST_F(HostileIntake, SourceOf100Megabytes) {
   std::ofstream stream(source());
-  stream << "#include \"spring_1d.h\"\n";
+  stream << "#include \"" << topic_ << ".h\"\n";
   const std::string line(1 << 20, '/');
   for (int i = 0; i < 100; ++i) stream << line;
   stream.close();
@@ -77,16 +80,16 @@ TEST_F(HostileIntake, SourceOf100Megabytes) {
 }
 
 TEST_F(HostileIntake, SparseSourceOfATerabyte) {
-  const int file = open(source().c_str(), O_CREAT | O_WRONLY, 0644);
-  ASSERT_GE(file, 0);
-  if (ftruncate(file, 1L << 40) != 0) GTEST_SKIP() << "the file system has no files of that size";
-  close(file);
+  const int sparse = open(source().c_str(), O_CREAT | O_WRONLY, 0644);
+  ASSERT_GE(sparse, 0);
+  if (ftruncate(sparse, 1L << 40) != 0) GTEST_SKIP() << "the file system has no files of that size";
+  close(sparse);
   expectNothingFor(folder_.path());
 }
 
 TEST_F(HostileIntake, ArchiveThatClimbsOut) {
   const fs::path archive = folder_.path() / "hand-in.tar";
-  const std::string text = readFile(solution);
+  const std::string text = readFile(solution_);
   writeArchive(archive, Format::Tar,
                {{"../dropped", text},
                 {"/tmp/dropped", text},
@@ -94,14 +97,14 @@ TEST_F(HostileIntake, ArchiveThatClimbsOut) {
                 {"..", text},
                 {"link", "", S_IFLNK, "/tmp"},
                 {"link/dropped", text},
-                {"spring_1d.cpp", "", S_IFLNK, solution}});
+                {file_, "", S_IFLNK, solution_}});
   expectNothingFor(archive);
 }
 
 TEST_F(HostileIntake, ArchiveWithTwoEntriesOfOneName) {
   const fs::path archive = folder_.path() / "hand-in.zip";
-  const std::string text = readFile(solution);
-  writeArchive(archive, Format::Zip, {{"spring_1d/spring_1d.cpp", text}, {"spring_1d/spring_1d.cpp", text + "\n"}});
+  const std::string text = readFile(solution_);
+  writeArchive(archive, Format::Zip, {{topic_ + "/" + file_, text}, {topic_ + "/" + file_, text + "\n"}});
   expectNothingFor(archive);
 }
 
@@ -109,13 +112,13 @@ TEST_F(HostileIntake, NamesWithEscapesAndNewlinesAreTame) {
   const fs::path archive = folder_.path() / "hand-in.tar";
   writeArchive(archive, Format::Tar,
                {{"\x1b[2J\x1b]0;owned\x07.cpp", "x"},
-                {"a\nspring_1d: 10 of 10", "x"},
+                {"a\n" + topic_ + ": 10 of 10", "x"},
                 {"=cmd|' /C calc'!A0", "x"},
                 {"<script>alert(1)</script>", "x"},
                 {"\xe2\x80\xae"
                  "ppc.x",
                  "x"},
-                {"spring_1d.cpp", "#error \x1b[31m\n"}});
+                {file_, "#error \x1b[31m\n"}});
   expectNothingFor(archive);
 }
 
@@ -139,7 +142,7 @@ TEST_F(HostileIntake, TenGigabytesOfZeros) {
   for (int i = 0; i < 1025; ++i) stream << packed;
   stream.close();
   const auto start = std::chrono::steady_clock::now();
-  EXPECT_THROW(gradeAttack(archive, "spring_1d"), std::runtime_error);
+  EXPECT_THROW(gradeAttack(archive, topic_), std::runtime_error);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
@@ -147,7 +150,7 @@ TEST_F(HostileIntake, ManyEntries) {
   const fs::path archive = folder_.path() / "hand-in.tar";
   std::vector<ArchiveEntry> entries;
   for (int i = 0; i < 30'000; ++i) entries.push_back({"entry" + std::to_string(i), ""});
-  entries.push_back({"spring_1d.cpp", readFile(solution)});
+  entries.push_back({file_, readFile(solution_)});
   writeArchive(archive, Format::Tar, entries);
   expectNothingFor(archive);
 }

@@ -1,17 +1,16 @@
 #include "surroundings.h"
 
 #include "base/build_paths.h"
+#include "support/eventually.h"
 
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
-#include <thread>
 
 namespace muelle::grader {
 
@@ -32,12 +31,7 @@ bool hasChildren() {
 
 /// A process that its sandbox has left behind has become our own child; the sandbox needs a moment to go.
 std::string processesThatStay() {
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-  while (hasChildren()) {
-    if (std::chrono::steady_clock::now() > deadline) return "a process is left behind\n";
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return "";
+  return eventually([] { return !hasChildren(); }) ? "" : "a process is left behind\n";
 }
 
 std::string ipcObjects() {

@@ -40,7 +40,7 @@ TEST_F(Servers, GitHubClassroomsFolderHoldsTheWholeHandout) {
   folder_.write(root + "exercises/spring_1d/spring_1d.cpp", "one");
   folder_.write(root + "exercises/triangle/triangle.cpp", "two");
   for (const char* file : {"README.md", "muelle", "CMakeLists.txt", ".git/config", "framework/harness/spring.h",
-                           "framework/harness/mesh.cpp", "exercises/triangle/demo.cpp"})
+                           "framework/harness/probes.cpp", "exercises/triangle/demo.cpp"})
     folder_.write(root + file, "handed out");
   expectBoth(take("springs-ana"));
 }

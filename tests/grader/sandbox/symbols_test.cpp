@@ -1,11 +1,15 @@
 /// \file
 /// No student's code in a process that knows an expected value, and no expected value in a process that runs a
-/// student's code: read off the symbols of the built programs.
+/// student's code: read off the symbols of the programs built for each exercise.
 
+#include "base/build_paths.h"
+#include "base/file.h"
 #include "base/process/child.h"
+#include "course/manifest.h"
 
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -31,32 +35,70 @@ bool holds(const std::vector<std::string>& lines, const std::string& text) {
   return false;
 }
 
-constexpr const char* functions[] = {"lumpedMass(", "springForceOnA(", "springForceOnB(", "hangingAcceleration(",
-                                     "accelerationBetween("};
+/// An exercise: its built programs, and its functions as symbols begin with them ("springForce(").
+struct Exercise {
+  std::string topic, hidden, glue;
+  std::vector<std::string> functions;
+};
+
+/// What the contract names in MUELLE_FUNCTIONS.
+std::vector<std::string> functionsOf(const std::string& contract) {
+  std::smatch list;
+  if (!std::regex_search(contract, list, std::regex(R"(\nMUELLE_FUNCTIONS\(([^)]*)\))"))) return {};
+  const std::string names = list[1];
+  const std::regex word(R"(\w+)");
+  std::vector<std::string> functions;
+  for (std::sregex_iterator it(names.begin(), names.end(), word), end; it != end; ++it) {
+    functions.push_back(it->str() + "(");
+  }
+  return functions;
+}
+
+std::vector<Exercise> exercises() {
+  namespace fs = std::filesystem;
+  const fs::path source = muelle::build_paths::source, binary = muelle::build_paths::binary;
+  std::vector<Exercise> exercises;
+  for (const muelle::Manifest& manifest : muelle::readCourse(source / "exercises")) {
+    const std::string& topic = manifest.topic;
+    exercises.push_back({topic, binary / "hidden" / ("hidden_" + topic), binary / "lib" / ("libglue_" + topic + ".a"),
+                         functionsOf(muelle::readFile(source / "exercises" / topic / (topic + ".h")))});
+    EXPECT_FALSE(exercises.back().functions.empty()) << topic;
+  }
+  EXPECT_FALSE(exercises.empty());
+  return exercises;
+}
 
 TEST(HiddenProgram, KnowsTheOracleAndNoFunctionOfAStudent) {
-  const auto lines = symbols(MUELLE_HIDDEN);
-  for (const std::string function : functions) {
-    EXPECT_TRUE(holds(lines, " oracle::" + function)) << function;
-    for (const char* kind : {" T ", " t ", " U ", " W "})
-      EXPECT_FALSE(holds(lines, kind + function)) << kind << function;
+  for (const Exercise& exercise : exercises()) {
+    SCOPED_TRACE(exercise.topic);
+    const auto lines = symbols(exercise.hidden);
+    for (const std::string& function : exercise.functions) {
+      EXPECT_TRUE(holds(lines, " oracle::" + function)) << function;
+      for (const char* kind : {" T ", " t ", " U ", " W "})
+        EXPECT_FALSE(holds(lines, kind + function)) << kind << function;
+    }
+    EXPECT_FALSE(holds(lines, "muelleServe"));
+    EXPECT_FALSE(holds(lines, " U dlopen"));
   }
-  EXPECT_FALSE(holds(lines, "muelleServe"));
-  EXPECT_FALSE(holds(lines, " U dlopen"));
 }
 
 TEST(Glue, KnowsTheContractAndNoOracle) {
-  const auto lines = symbols(MUELLE_GLUE);
-  for (const std::string function : functions) EXPECT_TRUE(holds(lines, " U " + function)) << function;
-  EXPECT_FALSE(holds(lines, "oracle::"));
-  EXPECT_FALSE(holds(lines, "testing::"));
+  for (const Exercise& exercise : exercises()) {
+    SCOPED_TRACE(exercise.topic);
+    const auto lines = symbols(exercise.glue);
+    for (const std::string& function : exercise.functions) EXPECT_TRUE(holds(lines, " U " + function)) << function;
+    EXPECT_FALSE(holds(lines, "oracle::"));
+    EXPECT_FALSE(holds(lines, "testing::"));
+  }
 }
 
 TEST(Worker, KnowsNeitherOracleNorTests) {
   const auto lines = symbols(MUELLE_HOST);
   EXPECT_FALSE(holds(lines, "oracle::"));
   EXPECT_FALSE(holds(lines, "testing::"));
-  for (const std::string function : functions) EXPECT_FALSE(holds(lines, function)) << function;
+  for (const Exercise& exercise : exercises()) {
+    for (const std::string& function : exercise.functions) EXPECT_FALSE(holds(lines, function)) << function;
+  }
 }
 
 }  // namespace

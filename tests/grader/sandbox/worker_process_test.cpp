@@ -4,6 +4,7 @@
 #include "fixture.h"
 #include "fixture_session.h"
 #include "process_status.h"
+#include "support/eventually.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -123,11 +124,10 @@ TEST_F(WorkerDuringACall, LeavesNoProcessWhenTheSessionEnds) {
   for (const ProcessStatus& process : familyOf(session().workerPid())) family.push_back(process.pid());
   EXPECT_FALSE(family.empty());
   start({});
-  for (int i = 0; i < 200 && !family.empty(); ++i) {
+  EXPECT_TRUE(eventually([&] {
     std::erase_if(family, [](pid_t pid) { return ProcessStatus(pid).field("State").empty(); });
-    usleep(10'000);
-  }
-  EXPECT_TRUE(family.empty());
+    return family.empty();
+  }));
 }
 
 /// The other half of the promise: the process that knows the expected values has none of the student's code.
