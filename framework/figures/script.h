@@ -1,5 +1,6 @@
 #pragma once
-#include "figures/write.h"
+#include "figures/format.h"
+#include "harness/figure.h"
 
 #include <string>
 

@@ -7,8 +7,6 @@ namespace muelle::figures {
 
 namespace {
 
-const char* nameOf(Format format) { return format == Format::Pdf ? "pdf" : format == Format::Png ? "png" : "svg"; }
-
 void putTerminal(const std::string& id, const Layout& layout, Format format, ScriptText& script) {
   constexpr double pngScale = 4.0 / 3.0;  // 1280 pixels for 960
   constexpr double pixelsPerInch = 96;
@@ -59,11 +57,11 @@ void putFrame(const Figure& figure, ScriptText& script) {
 std::string headOfScript(const Figure& figure, const FigureData& data, const Layout& layout, Format format) {
   ScriptText script(layout.width, layout.height);
   const std::string& id = figure.id();
-  script.put("# Draws {0}.{1} from {0}.dat: gnuplot {0}.gp", id, nameOf(format));
+  script.put("# Draws {0}.{1} from {0}.dat: gnuplot {0}.gp", id, extensionOf(format));
   script.put("reset");
   script.put("set encoding utf8");
   putTerminal(id, layout, format, script);
-  script.put("set output '{}.{}'", id, nameOf(format));
+  script.put("set output '{}.{}'", id, extensionOf(format));
   putLineStyles(data.styleCount, script);
   putFrame(figure, script);
   script.putLabel(figure.title(), layout.title, fmt::format("{:.0f}", layout.titleSize));

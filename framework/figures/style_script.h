@@ -1,7 +1,7 @@
 #pragma once
 #include "figures/figure_data.h"
+#include "figures/format.h"
 #include "figures/layout.h"
-#include "figures/write.h"
 
 #include <string>
 

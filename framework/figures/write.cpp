@@ -20,27 +20,25 @@ void publish(const fs::path& from, const fs::path& to) {
   if (error) throw std::runtime_error(fmt::format("cannot write {}: {}", to.string(), error.message()));
 }
 
-const char* extensionOf(Format format) {
-  switch (format) {
-    case Format::Pdf:
-      return ".pdf";
-    case Format::Png:
-      return ".png";
-    case Format::Svg:
-      break;
-  }
-  return ".svg";
-}
-
 /// A drawing that was broken off ends otherwise.
 bool isComplete(const std::string& drawing, Format format) {
   const char* end = format == Format::Svg ? "</svg>" : format == Format::Pdf ? "%%EOF" : "IEND";
   return drawing.find(end) != std::string::npos;
 }
 
+std::string drawingName(const Figure& figure, Format format) { return figure.id() + '.' + extensionOf(format); }
+
 /// The name of the script of a format: the SVG's is the one that stays.
 std::string scriptName(const Figure& figure, Format format) {
-  return figure.id() + (format == Format::Svg ? "" : std::string(extensionOf(format))) + ".gp";
+  return (format == Format::Svg ? figure.id() : drawingName(figure, format)) + ".gp";
+}
+
+void requireDifferentIds(const std::vector<Figure>& figures) {
+  std::set<std::string> ids;
+  for (const Figure& figure : figures) {
+    if (ids.insert(figure.id()).second) continue;
+    throw std::invalid_argument(fmt::format("writeFigures: two figures have the id '{}'", figure.id()));
+  }
 }
 
 }  // namespace
@@ -49,12 +47,7 @@ void writeFigure(const Figure& figure, const fs::path& folder) { writeFigures({f
 
 void writeFigures(const std::vector<Figure>& figures, const fs::path& folder, const std::vector<Format>& formats) {
   if (figures.empty()) return;
-  std::set<std::string> ids;
-  for (const Figure& figure : figures) {
-    if (ids.insert(figure.id()).second) continue;
-    throw std::invalid_argument(fmt::format("writeFigures: two figures have the id '{}'", figure.id()));
-  }
-
+  requireDifferentIds(figures);
   const TemporaryFolder work(folder);
   std::vector<std::string> scripts;
   for (const Figure& figure : figures) {
@@ -68,14 +61,14 @@ void writeFigures(const std::vector<Figure>& figures, const fs::path& folder, co
   runGnuplot(work.path(), scripts);
   for (const Figure& figure : figures) {
     for (const Format format : formats) {
-      if (isComplete(readFile(work.path() / (figure.id() + extensionOf(format))), format)) continue;
+      if (isComplete(readFile(work.path() / drawingName(figure, format)), format)) continue;
       throw std::runtime_error(fmt::format("gnuplot drew no complete figure '{}'", figure.id()));
     }
   }
   for (const Figure& figure : figures) {
     publish(work.path() / (figure.id() + ".dat"), folder / (figure.id() + ".dat"));
     for (const Format format : formats) {
-      const std::string drawing = figure.id() + extensionOf(format);
+      const std::string drawing = drawingName(figure, format);
       publish(work.path() / drawing, folder / drawing);
       if (format == Format::Svg) publish(work.path() / scriptName(figure, format), folder / scriptName(figure, format));
     }

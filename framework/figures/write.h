@@ -1,13 +1,11 @@
 #pragma once
+#include "figures/format.h"
 #include "harness/figure.h"
 
 #include <filesystem>
 #include <vector>
 
 namespace muelle {
-
-/// What a figure is written as.
-enum class Format { Svg, Pdf, Png };
 
 /// The one way to draw a plot: writes id.dat, id.gp and id.svg into the folder, which is made when missing;
 /// `gnuplot id.gp` there draws it again. Throws std::runtime_error with gnuplot's words when it fails, and then leaves

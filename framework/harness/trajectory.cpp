@@ -1,7 +1,7 @@
 #include "harness/trajectory.h"
 
 #include "base/file.h"
-#include "base/text/escape.h"
+#include "base/text/csv.h"
 #include "base/text/nearest.h"
 
 #include <fmt/format.h>

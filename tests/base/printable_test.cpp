@@ -1,5 +1,4 @@
 #include "base/text/printable.h"
-#include "base/text/escape.h"
 #include "base/text/utf8.h"
 #include "support/hostile_texts.h"
 
@@ -71,37 +70,6 @@ TEST(Columns, CountWideAndCombiningCharacters) {
   EXPECT_EQ(columns("an\u0303o"), 3);
   EXPECT_EQ(columns("日本"), 4);
   EXPECT_EQ(columns("🙂"), 2);
-}
-
-TEST(EscapeHtml, LeavesNothingThatMarksUp) {
-  EXPECT_EQ(escapeHtml("<a href=\"x\" b='y'>&amp;"), "&lt;a href=&quot;x&quot; b=&#39;y&#39;&gt;&amp;amp;");
-  for (const std::string& text : hostileTexts()) EXPECT_EQ(escapeHtml(text).find_first_of("<>\"'"), std::string::npos);
-}
-
-TEST(CsvField, DisarmsFormulas) {
-  EXPECT_EQ(untrustedCsvField("=cmd|' /C calc'!A0"), "\"'=cmd|' /C calc'!A0\"");
-  for (const char* text : {"=1", "+1", "-1", "@x", "  =1", "\t=1"})
-    EXPECT_EQ(untrustedCsvField(text).substr(0, 2), "\"'") << text;
-}
-
-TEST(CsvField, QuotesAndStaysOnItsLine) {
-  EXPECT_EQ(untrustedCsvField("a \"b\", c"), "\"a \"\"b\"\", c\"");
-  EXPECT_EQ(untrustedCsvField("a\nb"), "\"a\\nb\"");
-  EXPECT_EQ(untrustedCsvField(""), "\"\"");
-}
-
-TEST(CsvField, IsQuotedOnlyWhenItMustBe) {
-  EXPECT_EQ(csvField("-1.5"), "-1.5");
-  EXPECT_EQ(csvField("a, \"b\""), "\"a, \"\"b\"\"\"");
-}
-
-TEST(Base64, IsThatOfRfc4648) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "base/text/escape.h"
+#include "base/text/html.h"
 #include "grader/class/class_statistics.h"
 #include "grader/class/class_style.h"
 #include "grader/class/class_table.h"

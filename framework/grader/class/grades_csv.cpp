@@ -1,4 +1,4 @@
-#include "base/text/escape.h"
+#include "base/text/csv.h"
 #include "base/text/printable.h"
 #include "grader/class/class_statistics.h"
 #include "grader/class/class_table.h"

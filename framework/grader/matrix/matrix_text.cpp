@@ -1,6 +1,6 @@
 #include "grader/matrix/matrix_text.h"
 
-#include "base/text/escape.h"
+#include "base/text/csv.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

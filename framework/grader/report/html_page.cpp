@@ -1,4 +1,5 @@
-#include "base/text/escape.h"
+#include "base/text/base64.h"
+#include "base/text/html.h"
 #include "grader/report/format.h"
 #include "grader/report/page.h"
 #include "grader/report/report.h"

@@ -1,6 +1,6 @@
 #include "grader/report/page.h"
 
-#include "base/text/escape.h"
+#include "base/text/html.h"
 #include "grader/report/page_style.h"
 
 #include <fmt/format.h>
