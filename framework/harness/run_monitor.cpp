@@ -15,12 +15,6 @@ std::size_t firstNotFinite(const std::vector<double>& values) {
   return static_cast<std::size_t>(bad - values.begin());
 }
 
-double kineticEnergyOf(std::span<const double> mass, const std::vector<double>& v) {
-  double energy = 0.0;
-  for (std::size_t i = 0; i < v.size(); ++i) energy += 0.5 * mass[i] * v[i] * v[i];
-  return energy;
-}
-
 /// 3 when the masses come in triples of equal numbers: the three coordinates of a node share its mass.
 int guessDimension(std::span<const double> mass) {
   if (mass.size() % 3 != 0) return 1;
@@ -45,6 +39,7 @@ RunMonitor::RunMonitor(const DynamicalSystem& system, double explosion, double d
 RunMonitor::RunMonitor(const DynamicalSystem& system, double explosion, double duration,
                        std::function<std::string(std::size_t unknown)> name)
     : system_(system),
+      kineticEnergy_(kineticEnergy(system)),
       explosion_(explosion),
       duration_(duration),
       name_(std::move(name)),
@@ -81,7 +76,7 @@ StopReport RunMonitor::checkStep(const State& before, const State& after) {
     if (badPosition < after.x.size()) return notFinite(after.t, badPosition, "position");
     return notFinite(after.t, badVelocity, "velocity");
   }
-  const double energy = kineticEnergyOf(system_.mass(), after.v);
+  const double energy = kineticEnergy_.measure(after);
   if (energy > explosion_ * energyScale_) return exploded(after, energy);
   return {};
 }
@@ -99,7 +94,7 @@ StopReport RunMonitor::notFinite(double t, std::size_t unknown, const char* what
           fmt::format("t = {:.6g} s, {}: the {} is not finite", t, name_(unknown), what)};
 }
 
-StopReport RunMonitor::exploded(const State& state, double kineticEnergy) const {
+StopReport RunMonitor::exploded(const State& state, double energy) const {
   const auto slower = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const auto fastest = std::max_element(state.v.begin(), state.v.end(), slower);
   const auto unknown = static_cast<std::size_t>(fastest - state.v.begin());
@@ -107,7 +102,7 @@ StopReport RunMonitor::exploded(const State& state, double kineticEnergy) const 
           fmt::format("t = {:.6g} s, {}: the energy explodes (velocity {:.3g} m/s, kinetic energy {:.3g} J, more than "
                       "{:.3g} times its natural scale of {:.3g} J); look for a force with the wrong sign or a step too "
                       "long for the stiffness",
-                      state.t, name_(unknown), *fastest, kineticEnergy, explosion_, energyScale_)};
+                      state.t, name_(unknown), *fastest, energy, explosion_, energyScale_)};
 }
 
 }  // namespace muelle

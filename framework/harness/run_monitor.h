@@ -1,5 +1,6 @@
 #pragma once
 #include "harness/dynamical_system.h"
+#include "harness/probes.h"
 #include "harness/trajectory.h"
 
 #include <functional>
@@ -24,11 +25,12 @@ class RunMonitor {
 
  private:
   StopReport notFinite(double t, std::size_t unknown, const char* what) const;
-  StopReport exploded(const State& state, double kineticEnergy) const;
+  StopReport exploded(const State& state, double energy) const;
   /// Whether the forces at the state are finite; a report when they are not.
   StopReport checkForce(const State& state);
 
   const DynamicalSystem& system_;
+  Probe kineticEnergy_;
   double explosion_;
   double duration_;
   std::function<std::string(std::size_t)> name_;
