@@ -124,7 +124,7 @@ TEST_F(WorkerDuringACall, LeavesNoProcessWhenTheSessionEnds) {
   for (const ProcessStatus& process : familyOf(session().workerPid())) family.push_back(process.pid());
   EXPECT_FALSE(family.empty());
   start({});
-  EXPECT_TRUE(eventually([&] {
+  EXPECT_TRUE(muelle::eventually([&] {
     std::erase_if(family, [](pid_t pid) { return ProcessStatus(pid).field("State").empty(); });
     return family.empty();
   }));
