@@ -131,17 +131,6 @@ std::string students(const GradedClass& graded) {
   return panel("", "Students", html + "</tbody>\n</table>\n</div>\n");
 }
 
-std::string pageFooter(const GradedClass& graded) {
-  std::string html =
-      fmt::format("<footer class=\"soft\">\n<p>Sandbox: {}</p>\n", escapeHtml(showSandbox(graded.sandbox)));
-  if (!graded.notes.empty()) {
-    html += "<p>Not graded, because no submission:</p>\n<ul>\n";
-    for (const std::string& note : graded.notes) html += fmt::format("<li>{}</li>\n", escapeHtml(note));
-    html += "</ul>\n";
-  }
-  return html + "</footer>\n";
-}
-
 }  // namespace
 
 std::string classPage(const GradedClass& graded) {
@@ -150,7 +139,7 @@ std::string classPage(const GradedClass& graded) {
   return page(title,
               pageHeader(graded, statistics) + withoutScore(graded) + distribution(graded, statistics) +
                   exercises(graded, statistics) + hardest(statistics) + mistakes(statistics) + students(graded) +
-                  pageFooter(graded),
+                  pageFooter(showSandbox(graded.sandbox), "Not graded, because no submission:", graded.notes),
               classStyle);
 }
 

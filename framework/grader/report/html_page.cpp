@@ -152,23 +152,13 @@ std::string overview(const GradedSubmission& graded) {
   return html + "</nav>\n";
 }
 
-std::string pageFooter(const GradedSubmission& graded) {
-  std::string html = "<footer class=\"soft\">\n<p>Sandbox: " + escapeHtml(showSandbox(graded)) + "</p>\n";
-  if (!graded.intakeNotes.empty()) {
-    html += "<p>Of the submission:</p>\n<ul>\n";
-    for (const std::string& note : graded.intakeNotes) html += fmt::format("<li>{}</li>\n", escapeHtml(note));
-    html += "</ul>\n";
-  }
-  return html + "</footer>\n";
-}
-
 }  // namespace
 
 std::string htmlPage(const GradedSubmission& graded) {
   std::string body = pageHeader(graded) + overview(graded);
   for (const GradedExercise& exercise : graded.exercises) body += exerciseSection(exercise);
   return page(fmt::format("{} / {} · {}", showScore(graded), showPoints(maxScore(graded)), graded.name),
-              body + pageFooter(graded));
+              body + pageFooter(showSandbox(graded), "Of the submission:", graded.intakeNotes));
 }
 
 }  // namespace muelle::grader

@@ -49,6 +49,16 @@ std::string paragraph(const char* kind, const std::string& text) {
   return text.empty() ? "" : fmt::format("<p class=\"{}\">{}</p>\n", kind, escapeHtml(text));
 }
 
+std::string pageFooter(const std::string& sandbox, const std::string& heading, const std::vector<std::string>& notes) {
+  std::string html = fmt::format("<footer class=\"soft\">\n<p>Sandbox: {}</p>\n", escapeHtml(sandbox));
+  if (!notes.empty()) {
+    html += fmt::format("<p>{}</p>\n<ul>\n", escapeHtml(heading));
+    for (const std::string& note : notes) html += fmt::format("<li>{}</li>\n", escapeHtml(note));
+    html += "</ul>\n";
+  }
+  return html + "</footer>\n";
+}
+
 std::string relativeLink(const std::string& path) {
   std::string link;
   for (const char c : path) {

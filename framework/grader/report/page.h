@@ -3,6 +3,7 @@
 /// What every page of the grader is made of.
 
 #include <string>
+#include <vector>
 
 namespace muelle::grader {
 
@@ -19,6 +20,9 @@ std::string bar(double points, double most);
 
 /// The text, escaped, in a <p> of that class; "" when there is none.
 std::string paragraph(const char* kind, const std::string& text);
+
+/// What stands below a page: the sandbox, and notes under their heading where there are any. All are escaped here.
+std::string pageFooter(const std::string& sandbox, const std::string& heading, const std::vector<std::string>& notes);
 
 /// A path below the page's folder as a relative link: every byte that means something in an address, in UTF-8 and
 /// outside, is percent-encoded; "/" stays.
