@@ -2,6 +2,7 @@
 #include "base/build_paths.h"
 #include "base/process/child.h"
 
+#include <fmt/format.h>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,7 +22,11 @@ int test(const TestOptions& options) {
                                    "--parallel", "2",          "--output-on-failure", "--no-tests=error"};
   if (!options.filter.empty()) command.insert(command.end(), {"--tests-regex", options.filter});
   if (options.listOnly) command.push_back("--show-only");
-  return runInForeground(command) == 0 ? 0 : 1;
+  const bool isDone = runInForeground(command) == 0;
+  // CTest does not look whether its words get anywhere; ours end the command when they do not.
+  if (!options.listOnly) fmt::print("{}\n", isDone ? "every test passes" : "something fails, see above");
+  if (options.listOnly) fmt::print("next: ./muelle test NAME\n");
+  return isDone ? 0 : 1;
 }
 
 }  // namespace

@@ -81,8 +81,8 @@ endfunction()
 
 # Names the files that an exercise still lacks; an unfinished exercise is left out of the build, not in its way.
 function(muelle_missing_files topic result)
-  set(needed exercises/${topic}/${topic}.h exercises/${topic}/${topic}.cpp exercises/${topic}/public_test.cpp
-             exercises/${topic}/demo.cpp)
+  set(needed exercises/${topic}/exercise.toml exercises/${topic}/${topic}.h exercises/${topic}/${topic}.cpp
+             exercises/${topic}/public_test.cpp exercises/${topic}/demo.cpp)
   if(TARGET muelle_grader)
     list(APPEND needed tests/hidden/${topic}/${topic}_test.cpp tests/hidden/${topic}/oracle.cpp
                        tests/hidden/${topic}/mistakes.cpp)
@@ -100,7 +100,7 @@ function(muelle_exercise topic)
   muelle_missing_files(${topic} missing)
   if(missing)
     list(JOIN missing ", " missing)
-    message(WARNING "exercise ${topic} is left out: it lacks ${missing}")
+    set_property(GLOBAL APPEND_STRING PROPERTY MUELLE_UNFINISHED "${topic}: ${missing}\n")
     return()
   endif()
   muelle_check_parts(${topic})
@@ -131,12 +131,22 @@ function(muelle_all_exercises)
   muelle_prelude()
   add_custom_target(muelle_checking DEPENDS muelle_prelude)
   add_custom_target(muelle_grading ALL)
-  file(GLOB manifests CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/exercises
-       ${CMAKE_SOURCE_DIR}/exercises/*/exercise.toml)
-  foreach(manifest ${manifests})
-    get_filename_component(topic ${manifest} DIRECTORY)
+  # Every file that makes an exercise complete, so that CMake runs again when one comes or goes.
+  file(GLOB files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/exercises/*/*.toml ${CMAKE_SOURCE_DIR}/exercises/*/*.h
+       ${CMAKE_SOURCE_DIR}/exercises/*/*.cpp ${CMAKE_SOURCE_DIR}/tests/hidden/*/*.cpp)
+  set(topics "")
+  foreach(file ${files})
+    get_filename_component(folder ${file} DIRECTORY)
+    get_filename_component(topic ${folder} NAME)
+    list(APPEND topics ${topic})
+  endforeach()
+  list(REMOVE_DUPLICATES topics)
+  foreach(topic ${topics})
     muelle_exercise(${topic})
   endforeach()
+  # The commands read what is left out, and say it.
+  get_property(unfinished GLOBAL PROPERTY MUELLE_UNFINISHED)
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/unfinished_exercises.txt CONTENT "${unfinished}")
   if(TARGET muelle_grader)
     muelle_grade_tests()
   endif()

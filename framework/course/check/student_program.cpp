@@ -8,6 +8,7 @@
 #include "course/check/compile_verdict.h"
 #include "course/check/probe.h"
 #include "course/check/symbols.h"
+#include "course/unfinished.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -61,10 +62,14 @@ class Builder {
     }
     contract_ = folders.exercises / topic_ / (topic_ + ".h");
     parts_ = folders.build / "check" / (topic_ + ".rsp");
+    const auto unfinished = unfinishedExercises(folders.build);
+    if (const auto found = unfinished.find(topic_); found != unfinished.end()) {
+      throw std::runtime_error(sayUnfinished(topic_, found->second));
+    }
     if (!fs::exists(parts_)) {
       throw std::runtime_error(
-          fmt::format("{} is not in the build ({} was not made): its folder lacks a file, which CMake names when it "
-                      "configures",
+          fmt::format("{} is not in the build ({} was not made); ./muelle check makes it, or: cmake --build build -t "
+                      "muelle_checking",
                       topic_, parts_.filename().string()));
     }
     // A file elsewhere (--file) has a slot of its own, so that it does not push out the student's.
