@@ -26,8 +26,8 @@ function(muelle_role_library target topic role)
   target_compile_options(${target} PRIVATE -O1)
 endfunction()
 
-# For `muelle check`: the public tests and the demo, to be linked with the student's object file. The response file
-# lists the objects and libraries for the compiler driver, quoted: a checkout's path may have blanks.
+# For `muelle check`: the public tests and the demo, to be linked with the student's object file. A file lists
+# the objects and libraries for the compiler driver, one a line as it is: a checkout's path may have blanks and quotes.
 function(muelle_check_parts topic)
   if(NOT TARGET muelle_public_main)
     return()
@@ -35,17 +35,17 @@ function(muelle_check_parts topic)
   set(folder ${CMAKE_SOURCE_DIR}/exercises/${topic})
   muelle_role_library(public_${topic} ${topic} course/testing/direct_functions.h
                       ${folder}/public_test.cpp ${folder}/demo.cpp)
-  file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/check/${topic}.rsp CONTENT
-"\"$<JOIN:$<TARGET_OBJECTS:public_${topic}>,\"\n\">\"
-\"$<JOIN:$<TARGET_OBJECTS:muelle_public_main>,\"\n\">\"
-\"$<TARGET_FILE:muelle_testing>\"
-\"$<TARGET_FILE:muelle_check>\"
-\"$<TARGET_FILE:muelle_figures>\"
-\"$<TARGET_FILE:muelle_harness>\"
-\"$<TARGET_FILE:muelle_base>\"
-\"$<TARGET_FILE:GTest::gtest>\"
-\"$<TARGET_FILE:fmt::fmt>\"
-\"${MUELLE_UTF8PROC_LIBRARY}\"
+  file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/check/${topic}.parts CONTENT
+"$<JOIN:$<TARGET_OBJECTS:public_${topic}>,\n>
+$<JOIN:$<TARGET_OBJECTS:muelle_public_main>,\n>
+$<TARGET_FILE:muelle_testing>
+$<TARGET_FILE:muelle_check>
+$<TARGET_FILE:muelle_figures>
+$<TARGET_FILE:muelle_harness>
+$<TARGET_FILE:muelle_base>
+$<TARGET_FILE:GTest::gtest>
+$<TARGET_FILE:fmt::fmt>
+${MUELLE_UTF8PROC_LIBRARY}
 -pthread
 ${MUELLE_SANITIZER_LINK_FLAG}
 ")

@@ -138,6 +138,9 @@ Grader openGrader(const Workplace& workplace, GradeOptions options, const std::v
            !std::filesystem::exists(workplace.hiddenProgram(manifest.topic), missing);
   });
   if (course.empty()) {
+    for (const std::string& topic : only) {
+      if (unfinished.contains(topic)) throw std::runtime_error(sayUnfinished(topic, unfinished.at(topic)));
+    }
     throw std::runtime_error("no hidden tests are built: build the target muelle_grading, or call ./muelle grade");
   }
   std::ranges::sort(course, {}, &Manifest::order);
