@@ -2,7 +2,12 @@
 /// The `muelle` command: reads the command line and calls the rooms; decides nothing itself.
 
 #include "app/commands.h"
+#include "base/build_paths.h"
 #include "base/errors.h"
+#include "course/unfinished.h"
+
+#include <cstdio>
+#include <string>
 
 namespace {
 
@@ -22,7 +27,15 @@ constexpr AddCommand commands[] = {
     addTest,  addDocs,
 };
 
+/// Whatever is asked for, an author is told what is still to be written.
+void nameUnfinished() {
+  for (const auto& [topic, files] : muelle::unfinishedExercises(muelle::build_paths::binary)) {
+    std::fputs(("muelle: " + muelle::sayUnfinished(topic, files) + "\n").c_str(), stderr);
+  }
+}
+
 int run(int argc, char** argv) {
+  nameUnfinished();
   muelle::CommandLine program("./muelle", "A course on mass-spring simulation that runs.");
   program.footer("Every command has its own help: ./muelle check --help");
   program.action([] {

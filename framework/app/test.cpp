@@ -1,6 +1,7 @@
 #include "app/commands.h"
 #include "app/run_ctest.h"
 
+#include <fmt/format.h>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,7 +20,11 @@ int test(const TestOptions& options) {
   std::vector<std::string> selection{"--label-exclude", "^grade$"};
   if (!options.filter.empty()) selection.insert(selection.end(), {"--tests-regex", options.filter});
   if (options.listOnly) selection.emplace_back("--show-only");
-  return runCtest(selection);
+  const int status = runCtest(selection);
+  // CTest does not look whether its words get anywhere; ours end the command when they do not.
+  if (!options.listOnly) fmt::print("{}\n", status == 0 ? "every test passes" : "something fails, see above");
+  if (options.listOnly) fmt::print("next: ./muelle test NAME\n");
+  return status;
 }
 
 }  // namespace

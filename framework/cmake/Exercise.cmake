@@ -26,8 +26,8 @@ function(muelle_role_library target topic role)
   target_compile_options(${target} PRIVATE -O1)
 endfunction()
 
-# For `muelle check`: the public tests and the demo, to be linked with the student's object file. The response file
-# lists the objects and libraries for the compiler driver, quoted: a checkout's path may have blanks.
+# For `muelle check`: the public tests and the demo, to be linked with the student's object file. A file lists
+# the objects and libraries for the compiler driver, one a line as it is: a checkout's path may have blanks and quotes.
 function(muelle_check_parts topic)
   if(NOT TARGET muelle_public_main)
     return()
@@ -35,17 +35,17 @@ function(muelle_check_parts topic)
   set(folder ${CMAKE_SOURCE_DIR}/exercises/${topic})
   muelle_role_library(public_${topic} ${topic} course/testing/direct_functions.h
                       ${folder}/public_test.cpp ${folder}/demo.cpp)
-  file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/check/${topic}.rsp CONTENT
-"\"$<JOIN:$<TARGET_OBJECTS:public_${topic}>,\"\n\">\"
-\"$<JOIN:$<TARGET_OBJECTS:muelle_public_main>,\"\n\">\"
-\"$<TARGET_FILE:muelle_testing>\"
-\"$<TARGET_FILE:muelle_check>\"
-\"$<TARGET_FILE:muelle_figures>\"
-\"$<TARGET_FILE:muelle_harness>\"
-\"$<TARGET_FILE:muelle_base>\"
-\"$<TARGET_FILE:GTest::gtest>\"
-\"$<TARGET_FILE:fmt::fmt>\"
-\"${MUELLE_UTF8PROC_LIBRARY}\"
+  file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/check/${topic}.parts CONTENT
+"$<JOIN:$<TARGET_OBJECTS:public_${topic}>,\n>
+$<JOIN:$<TARGET_OBJECTS:muelle_public_main>,\n>
+$<TARGET_FILE:muelle_testing>
+$<TARGET_FILE:muelle_check>
+$<TARGET_FILE:muelle_figures>
+$<TARGET_FILE:muelle_harness>
+$<TARGET_FILE:muelle_base>
+$<TARGET_FILE:GTest::gtest>
+$<TARGET_FILE:fmt::fmt>
+${MUELLE_UTF8PROC_LIBRARY}
 -pthread
 ${MUELLE_SANITIZER_LINK_FLAG}
 ")
@@ -81,8 +81,8 @@ endfunction()
 
 # Names the files that an exercise still lacks; an unfinished exercise is left out of the build, not in its way.
 function(muelle_missing_files topic result)
-  set(needed exercises/${topic}/${topic}.h exercises/${topic}/${topic}.cpp exercises/${topic}/public_test.cpp
-             exercises/${topic}/demo.cpp)
+  set(needed exercises/${topic}/exercise.toml exercises/${topic}/${topic}.h exercises/${topic}/${topic}.cpp
+             exercises/${topic}/public_test.cpp exercises/${topic}/demo.cpp)
   if(TARGET muelle_grader)
     list(APPEND needed tests/hidden/${topic}/${topic}_test.cpp tests/hidden/${topic}/oracle.cpp
                        tests/hidden/${topic}/mistakes.cpp)
@@ -100,7 +100,7 @@ function(muelle_exercise topic)
   muelle_missing_files(${topic} missing)
   if(missing)
     list(JOIN missing ", " missing)
-    message(WARNING "exercise ${topic} is left out: it lacks ${missing}")
+    set_property(GLOBAL APPEND_STRING PROPERTY MUELLE_UNFINISHED "${topic}: ${missing}\n")
     return()
   endif()
   muelle_check_parts(${topic})
@@ -131,12 +131,22 @@ function(muelle_all_exercises)
   muelle_prelude()
   add_custom_target(muelle_checking DEPENDS muelle_prelude)
   add_custom_target(muelle_grading ALL)
-  file(GLOB manifests CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}/exercises
-       ${CMAKE_SOURCE_DIR}/exercises/*/exercise.toml)
-  foreach(manifest ${manifests})
-    get_filename_component(topic ${manifest} DIRECTORY)
+  # Every file that makes an exercise complete, so that CMake runs again when one comes or goes.
+  file(GLOB files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/exercises/*/*.toml ${CMAKE_SOURCE_DIR}/exercises/*/*.h
+       ${CMAKE_SOURCE_DIR}/exercises/*/*.cpp ${CMAKE_SOURCE_DIR}/tests/hidden/*/*.cpp)
+  set(topics "")
+  foreach(file ${files})
+    get_filename_component(folder ${file} DIRECTORY)
+    get_filename_component(topic ${folder} NAME)
+    list(APPEND topics ${topic})
+  endforeach()
+  list(REMOVE_DUPLICATES topics)
+  foreach(topic ${topics})
     muelle_exercise(${topic})
   endforeach()
+  # The commands read what is left out, and say it.
+  get_property(unfinished GLOBAL PROPERTY MUELLE_UNFINISHED)
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/unfinished_exercises.txt CONTENT "${unfinished}")
   if(TARGET muelle_grader)
     muelle_grade_tests()
   endif()

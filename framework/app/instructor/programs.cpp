@@ -23,7 +23,9 @@ int runProgram(const std::string& command, const std::vector<std::string>& argum
   }
   std::vector<std::string> words = {program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  return runInForeground(words);
+  const int code = runInForeground(words);
+  if (code > 128) throw std::runtime_error(fmt::format("{} was ended by signal {}", name, code - 128));
+  return code;
 }
 
 /// The program `muelle-NAME` gets all that follows: it has the options, and says what they mean.

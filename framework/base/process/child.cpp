@@ -77,24 +77,26 @@ void closeFrom(unsigned first, unsigned last) {
 #endif
 }
 
+/// False when our own limit is lower.
 template <class Resource>
-void limit(Resource resource, rlim_t value, rlim_t above = 0) {
-  if (value == 0) return;
+bool limit(Resource resource, rlim_t value, rlim_t above = 0) {
+  if (value == 0) return true;
   const rlimit both{value, value + above};
-  setrlimit(resource, &both);
+  return setrlimit(resource, &both) == 0;
 }
 
-void applyLimits(const ResourceLimits& limits) {
-  limit(RLIMIT_AS, limits.addressSpace);
-  limit(RLIMIT_FSIZE, limits.fileSize);
-  limit(RLIMIT_STACK, limits.stack);
-  limit(RLIMIT_CPU, limits.cpuSeconds, graceSeconds);
+bool applyLimits(const ResourceLimits& limits) {
 #ifdef RLIMIT_NPROC
-  limit(RLIMIT_NPROC, limits.processes);
+  limit(RLIMIT_NPROC, limits.processes);  // a container's own may be lower, and does as well
 #endif
   const rlimit noCore{0, 0};
   setrlimit(RLIMIT_CORE, &noCore);
+  return limit(RLIMIT_AS, limits.addressSpace) && limit(RLIMIT_FSIZE, limits.fileSize) &&
+         limit(RLIMIT_STACK, limits.stack) && limit(RLIMIT_CPU, limits.cpuSeconds, graceSeconds);
 }
+
+/// Told by a child in place of a reason: with lower limits it would be blamed for what our own shell forbids.
+constexpr int limitsOutOfReach = -1;
 
 /// Everything that the child needs between fork and exec, made before: after fork only calls that are safe in a signal
 /// handler, for other threads may hold any lock.
@@ -126,16 +128,16 @@ void takeDescriptors(const Start& start, int& error) {
 #endif
     takeDescriptors(start, error);
   }
-  applyLimits(spec.limits);
+  const bool isLimited = applyLimits(spec.limits);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   // An ignored signal would stay ignored.
   for (const int ignored : {SIGPIPE, SIGXFSZ}) signal(ignored, SIG_DFL);
-  if (spec.workingDirectory.empty() || chdir(spec.workingDirectory.c_str()) == 0) {
+  if (isLimited && (spec.workingDirectory.empty() || chdir(spec.workingDirectory.c_str()) == 0)) {
     execve(start.program.c_str(), start.arguments.data(), start.environment.data());
   }
-  const int reason = errno;
+  const int reason = isLimited ? errno : limitsOutOfReach;
   [[maybe_unused]] const ssize_t told = write(error, &reason, sizeof reason);
   _exit(127);
 }
@@ -216,7 +218,10 @@ Child::Child(const ChildSpec& spec) : ownsGroup_(!spec.isForeground) {
   }
   if (got == sizeof reason) {
     kill();
-    throw std::runtime_error("cannot start " + spec.command.front() + ": " + std::strerror(reason));
+    const char* words = reason == limitsOutOfReach
+                            ? "it needs more than the limits of this shell allow; raise them (ulimit -a shows them)"
+                            : std::strerror(reason);
+    throw std::runtime_error("cannot start " + spec.command.front() + ": " + words);
   }
 }
 

@@ -63,40 +63,13 @@ std::vector<std::string> symbolsCommand(const std::vector<std::string>& objects)
   return command;
 }
 
-std::string responseLine(const std::string& argument) {
-  std::string line = "\"";
-  for (const char c : argument) {
-    if (c == '"' || c == '\\') line += '\\';
-    line += c;
+std::vector<std::string> readParts(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> parts;
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.empty()) parts.push_back(line);
   }
-  return line + "\"\n";
-}
-
-std::vector<std::string> readResponse(const std::string& text) {
-  std::vector<std::string> arguments;
-  std::string argument;
-  bool inside = false;
-  char quote = '\0';
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    const bool isBlank = c == ' ' || c == '\n' || c == '\t' || c == '\r';
-    if (c == '\\' && i + 1 < text.size() && quote != '\'') {
-      argument += text[++i];
-      inside = true;
-    } else if (quote != '\0' ? c == quote : c == '"' || c == '\'') {
-      quote = quote != '\0' ? '\0' : c;
-      inside = true;
-    } else if (quote == '\0' && isBlank) {
-      if (inside) arguments.push_back(argument);
-      argument.clear();
-      inside = false;
-    } else {
-      argument += c;
-      inside = true;
-    }
-  }
-  if (inside) arguments.push_back(argument);
-  return arguments;
+  return parts;
 }
 
 }  // namespace muelle

@@ -39,10 +39,8 @@ std::vector<std::string> symbolsCommand(const std::vector<std::string>& objects)
 /// otherwise.
 bool compilesWithClang();
 
-/// An argument as a line of a response file (@FILE) of g++ and clang++: blanks, quotes and backslashes are kept.
-std::string responseLine(const std::string& argument);
-
-/// The arguments that stand in a response file.
-std::vector<std::string> readResponse(const std::string& text);
+/// The arguments of the linker in a list of parts (build/check/TOPIC.parts): one a line, as it is, so that a path may
+/// hold blanks, quotes and backslashes.
+std::vector<std::string> readParts(const std::string& text);
 
 }  // namespace muelle

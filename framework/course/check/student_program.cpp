@@ -8,6 +8,7 @@
 #include "course/check/compile_verdict.h"
 #include "course/check/probe.h"
 #include "course/check/symbols.h"
+#include "course/unfinished.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -60,11 +61,15 @@ class Builder {
       students_.push_back({source.filename().string(), readFile(source)});
     }
     contract_ = folders.exercises / topic_ / (topic_ + ".h");
-    parts_ = folders.build / "check" / (topic_ + ".rsp");
+    parts_ = folders.build / "check" / (topic_ + ".parts");
+    const auto unfinished = unfinishedExercises(folders.build);
+    if (const auto found = unfinished.find(topic_); found != unfinished.end()) {
+      throw std::runtime_error(sayUnfinished(topic_, found->second));
+    }
     if (!fs::exists(parts_)) {
       throw std::runtime_error(
-          fmt::format("{} is not in the build ({} was not made): its folder lacks a file, which CMake names when it "
-                      "configures",
+          fmt::format("{} is not in the build ({} was not made); ./muelle check makes it, or: cmake --build build -t "
+                      "muelle_checking",
                       topic_, parts_.filename().string()));
     }
     // A file elsewhere (--file) has a slot of its own, so that it does not push out the student's.
@@ -148,7 +153,7 @@ class Builder {
     files.push_back(contract_);
     files.push_back(fs::path(build_paths::prelude) / "prelude.h.gch");
     files.push_back(parts_);
-    for (const std::string& word : readResponse(readFile(parts_))) {
+    for (const std::string& word : readParts(readFile(parts_))) {
       if (!word.starts_with("-")) files.emplace_back(word);
     }
     return files;
@@ -189,7 +194,7 @@ class Builder {
   CompileVerdict link(const std::vector<std::string>& objects, const fs::path& executable, bool sanitized) const {
     std::vector<std::string> command{build_paths::compiler};
     for (const std::string& object : objects) command.push_back(object);
-    command.push_back("@" + parts_.string());
+    for (const std::string& part : readParts(readFile(parts_))) command.push_back(part);
     for (const std::string& flag : checkLinkFlags(sanitized)) command.push_back(flag);
     command.insert(command.end(), {"-o", executable.string()});
     return judgeLink(runTool(command, limits_), students_, readFile(contract_), contract_.filename().string(), limits_);

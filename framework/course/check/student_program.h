@@ -12,7 +12,7 @@ namespace muelle {
 /// Where the check finds the course and what CMake has built of it.
 struct CheckFolders {
   std::filesystem::path exercises;  ///< exercises/
-  std::filesystem::path build;      ///< the build folder: check/TOPIC.rsp lists what a student's file is linked with
+  std::filesystem::path build;      ///< the build folder: check/TOPIC.parts lists what a student's file is linked with
   std::filesystem::path out;        ///< curves go to out/TOPIC/
 };
 

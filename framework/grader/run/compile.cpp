@@ -31,6 +31,14 @@ std::string insideOf(const fs::path& compiler) {
   return isOfTheSystem(compiler) ? compiler.string() : "../tools/" + compiler.filename().string();
 }
 
+/// mold sets the mode of what it has written, which the list of system calls that goes with Landlock refuses; the
+/// compiler's own linker does without.
+std::vector<std::string> linkFlagsIn(SandboxChoice sandbox, bool isSanitised) {
+  std::vector<std::string> flags = checkLinkFlags(isSanitised);
+  if (sandbox == SandboxChoice::Landlock) std::erase(flags, build_paths::linkerFlag);
+  return flags;
+}
+
 std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
 
 /// The precompiled header is large: it is mounted, and handed over as content only when that cannot be.
@@ -42,7 +50,8 @@ void addPrelude(const Workplace& workplace, Confinement& confinement) {
   }
 }
 
-Confinement confinementOf(const Workplace& workplace, const Manifest& manifest, const Sources& sources, Build build) {
+Confinement confinementOf(const Workplace& workplace, const Manifest& manifest, const Sources& sources,
+                          SandboxChoice sandbox, Build build) {
   Confinement confinement;
   confinement.files = compilersView(workplace, manifest);
   for (const auto& [name, content] : sources) {
@@ -52,7 +61,7 @@ Confinement confinementOf(const Workplace& workplace, const Manifest& manifest, 
   if (!isOfTheSystem(workplace.compiler)) {
     confinement.files.push_back({"/tools/" + workplace.compiler.filename().string(), workplace.compiler, "", true});
   }
-  confinement.command = {"/usr/bin/sh", "-c", compileScript(workplace, sources, build)};
+  confinement.command = {"/usr/bin/sh", "-c", compileScript(workplace, sources, sandbox, build)};
   confinement.systemFolders = {"/usr/bin", "/usr/lib", "/usr/include"};
   if (fs::exists("/usr/lib64")) confinement.systemFolders.emplace_back("/usr/lib64");
   confinement.renamedFolders[build_paths::eigen] = "/eigen";
@@ -93,7 +102,7 @@ std::vector<VisibleFile> compilersView(const Workplace& workplace, const Manifes
 
 /// Runs in the sandbox's root folder, which only some backends can make "/". Nothing of the student's runs here, only
 /// compiler, nm and linker do; the product leaves by stdout, the list of symbols by descriptor 3.
-std::string compileScript(const Workplace& workplace, const Sources& sources, Build build) {
+std::string compileScript(const Workplace& workplace, const Sources& sources, SandboxChoice sandbox, Build build) {
   std::string files;
   for (const auto& [name, content] : sources) files += " ../submission/" + name;
   const bool isSanitised = build == Build::Sanitised;
@@ -105,7 +114,7 @@ std::string compileScript(const Workplace& workplace, const Sources& sources, Bu
       "cat submission.so\n",
       compiler, joined(isSanitised ? sanitizedCompileFlags() : studentCompileFlags()),
       isSanitised ? "" : "-I../prelude -include prelude.h", files, compileFailed, symbolsFailed, linkFlags,
-      joined(checkLinkFlags(isSanitised)),
+      joined(linkFlagsIn(sandbox, isSanitised)),
       build == Build::Probe ? "" : "-Wl,--whole-archive ../glue.a -Wl,--no-whole-archive", linkFailed,
       isSanitised ? "" : " -Wl,-z,defs");  // the host has the sanitizers' own symbols
 }
@@ -127,7 +136,7 @@ Compilation compile(const Workplace& workplace, const Manifest& manifest, const 
   capture.outBytes = workplace.limits.product;
   capture.errBytes = workplace.limits.words;
   capture.reportBytes = symbolBytes;
-  compilation.run = sandbox.run(confinementOf(workplace, manifest, sources, build), capture);
+  compilation.run = sandbox.run(confinementOf(workplace, manifest, sources, sandbox.choice(), build), capture);
   compilation.stage = stageOf(compilation.run);
   compilation.symbols = compilation.run.report;
   return compilation;

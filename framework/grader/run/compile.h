@@ -27,7 +27,8 @@ enum class Build {
 std::vector<VisibleFile> compilersView(const Workplace& workplace, const Manifest& manifest);
 
 /// The commands that are run in the sandbox.
-std::string compileScript(const Workplace& workplace, const Sources& sources, Build build = Build::Plain);
+std::string compileScript(const Workplace& workplace, const Sources& sources, SandboxChoice sandbox,
+                          Build build = Build::Plain);
 
 /// Which compiler and linker: a new package makes new objects.
 std::string compilerIdentity(const Workplace& workplace);

@@ -1,5 +1,6 @@
 #include "grader/run/grade.h"
 
+#include "course/unfinished.h"
 #include "grader/run/exercise_run.h"
 
 #include <fmt/chrono.h>
@@ -130,11 +131,16 @@ Grader openGrader(const Workplace& workplace, GradeOptions options, const std::v
   const std::vector<Manifest> all = readCourse(workplace.exercises());
   for (const std::string& topic : only) course.push_back(findExercise(all, topic));
   if (only.empty()) course = all;
+  const auto unfinished = unfinishedExercises(workplace.binary);
   std::erase_if(course, [&](const Manifest& manifest) {
     std::error_code missing;
-    return !std::filesystem::exists(workplace.hiddenProgram(manifest.topic), missing);
+    return unfinished.contains(manifest.topic) ||
+           !std::filesystem::exists(workplace.hiddenProgram(manifest.topic), missing);
   });
   if (course.empty()) {
+    for (const std::string& topic : only) {
+      if (unfinished.contains(topic)) throw std::runtime_error(sayUnfinished(topic, unfinished.at(topic)));
+    }
     throw std::runtime_error("no hidden tests are built: build the target muelle_grading, or call ./muelle grade");
   }
   std::ranges::sort(course, {}, &Manifest::order);

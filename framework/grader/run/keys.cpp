@@ -40,8 +40,9 @@ std::string objectKey(const Workplace& workplace, const Manifest& manifest, cons
                       SandboxChoice sandbox) {
   std::string headers;
   for (const VisibleFile& header : compilersView(workplace, manifest)) headers += digestOf(header.source);
-  return digest({"object 2", manifest.topic, digestOfSources(sources), headers, compileScript(workplace, sources),
-                 compilerIdentity(workplace), toText(sandbox), workplace.judgesSymbols ? "judged" : "unjudged"});
+  return digest({"object 2", manifest.topic, digestOfSources(sources), headers,
+                 compileScript(workplace, sources, sandbox), compilerIdentity(workplace), toText(sandbox),
+                 workplace.judgesSymbols ? "judged" : "unjudged"});
 }
 
 std::string verdictKey(const Workplace& workplace, const Manifest& manifest, const Criterion& criterion,

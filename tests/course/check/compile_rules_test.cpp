@@ -8,12 +8,9 @@
 namespace muelle {
 namespace {
 
-TEST(CompileRules, AResponseFileKeepsAnyArgument) {
-  const std::vector<std::string> arguments{"/a folder/o'brien \"x\"/\\b.o", "-pthread", "/mañana/c.o", ""};
-  std::string text;
-  for (const std::string& argument : arguments) text += responseLine(argument);
-  EXPECT_EQ(readResponse(text), arguments);
-  EXPECT_EQ(readResponse("a  'b c'\n\\ d\n"), (std::vector<std::string>{"a", "b c", " d"}));
+TEST(CompileRules, AListOfPartsKeepsAnyPath) {
+  const std::vector<std::string> parts{"/a folder/o'brien \"x\"/\\b.o", "-pthread", "/mañana/c.o"};
+  EXPECT_EQ(readParts("/a folder/o'brien \"x\"/\\b.o\n-pthread\n\n/mañana/c.o\n"), parts);
 }
 
 TEST(CompileRules, UninitialisedMemoryIsFilledInBothBuilds) {

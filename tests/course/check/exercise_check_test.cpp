@@ -251,16 +251,16 @@ TEST_F(Check, EndlessPrintingIsCutAndCostsOnlyItsTime) {
 }
 
 TEST_F(Check, APathWithBlanksQuotesAndAccentsLinks) {
-  const std::filesystem::path place = folder_.path() / "una carpeta de mañana, o'clock";
+  const std::filesystem::path place = folder_.path() / "una \"carpeta\" de mañana, o'clock";
   std::string parts;
   std::filesystem::create_directories(place / "build/check");
-  for (const std::string& part : readResponse(readFile(folders_.build / "check/fixture_spring.rsp"))) {
+  for (const std::string& part : readParts(readFile(folders_.build / "check/fixture_spring.parts"))) {
     const std::filesystem::path moved = place / std::filesystem::path(part).filename();
     const bool isObject = part.ends_with(".o");
     if (isObject) std::filesystem::copy_file(part, moved, std::filesystem::copy_options::overwrite_existing);
-    parts += part.starts_with("-") ? part + "\n" : responseLine(isObject ? moved.string() : part);
+    parts += (isObject ? moved.string() : part) + "\n";
   }
-  writeFile(place / "build/check/fixture_spring.rsp", parts);
+  writeFile(place / "build/check/fixture_spring.parts", parts);
   writeFile(place / "fixture_spring.cpp", "#include \"fixture_spring.h\"\n" + twice + entry);
   const CheckFolders folders{folders_.exercises, place / "build", place / "out"};
   const StudentProgram program = buildStudentProgram(manifest_, {place / "fixture_spring.cpp"}, folders);

@@ -1,5 +1,6 @@
 #include "grader/sandbox/landlock.h"
 #include "grader/sandbox/sandbox.h"
+#include "grader/sandbox/unsafe.h"
 #include "support/eventually.h"
 
 #include <gtest/gtest.h>
@@ -135,6 +136,30 @@ TEST(LandlockBackend, DeniesTheNetworkAndOtherProcesses) {
   EXPECT_NE(result.status.code, 0);
   EXPECT_NE(result.err.find("Operation not permitted"), std::string::npos) << result.err;
   EXPECT_EQ(result.err.find("refused"), std::string::npos) << "nobody was asked for a connection: " << result.err;
+}
+
+/// What a program that asks for many system calls is told: a line "NAME refused", "NAME done" or "NAME failed" for
+/// each.
+std::string askedIn(const Sandbox& sandbox) {
+  Confinement confinement;
+  confinement.systemFolders = {"/usr/bin", "/usr/lib"};
+  if (fs::exists("/usr/lib64")) confinement.systemFolders.emplace_back("/usr/lib64");
+  confinement.files = {{"/given/asks", MUELLE_ASKS, "", true}};
+  confinement.scratchBytes = 1 << 20;
+  confinement.command = {"/usr/bin/sh", "-c", "exec given/asks tmp"};
+  const CommandResult result = sandbox.run(confinement, {std::chrono::seconds(10), 65536, 65536, 0, false});
+  EXPECT_EQ(result.status.code, 0) << result.err;
+  return result.out;
+}
+
+TEST(LandlockBackend, RefusesModesTimesNamespacesRingsAndFilesInMemory) {
+  const std::string reason = Landlock::whyNot();
+  if (!reason.empty()) GTEST_SKIP() << reason;
+  const std::string answers = askedIn(Landlock());
+  EXPECT_EQ(answers.find(" done"), std::string::npos) << answers;
+  EXPECT_EQ(answers.find(" failed"), std::string::npos) << answers;
+  EXPECT_TRUE(answers.ends_with("memfd_secret refused\nend\n")) << answers;
+  EXPECT_NE(askedIn(Unsafe()).find("chmod done\n"), std::string::npos) << "the program asks in a way that never works";
 }
 
 }  // namespace

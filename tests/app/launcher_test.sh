@@ -1,0 +1,107 @@
+#!/usr/bin/env bash
+# Usage: launcher_test.sh MUELLE_LAUNCHER. The launcher in a checkout of its own whose tools are stand-ins: one builds at
+# a time, even when some are killed; waiting is said; a folder that cannot be written is named. Blanks, quotes and
+# accents stand in the path throughout.
+set -uo pipefail
+scratch="$(mktemp -d)"
+trap 'rm -rf "$scratch"' EXIT
+folder="$scratch/a b'c\"d é"
+mkdir -p "$folder/build/bin" "$scratch/tools"
+cp "$1" "$folder/muelle"
+failures=0
+complain() {
+  printf '%s\n' "$@" >&2
+  failures=$((failures + 1))
+}
+
+# Stand-ins. The builder finds out whether another one is at work in the same folder, and how long it shall work.
+cat >"$scratch/tools/ninja" <<'END'
+#!/usr/bin/env bash
+if ! mkdir "$2/busy" 2>/dev/null; then echo "overlap" >>"$2/overlaps"; fi
+echo "$@" >>"$2/built"
+sleep "$(cat "$2/work")"
+rmdir "$2/busy"
+END
+cat >"$scratch/tools/cmake" <<'END'
+#!/usr/bin/env bash
+touch "$2/build/build.ninja"
+END
+printf '#!/bin/sh\nwhile [ $# -gt 3 ]; do printf "ii  %%s\\n" "$4"; shift; done\n' >"$scratch/tools/dpkg-query"
+printf '#!/bin/sh\necho "ran $*"\n' >"$folder/build/bin/muelle"
+chmod +x "$scratch/tools/"* "$folder/build/bin/muelle"
+export PATH="$scratch/tools:$PATH"
+
+# expect CODE TEXT ARGUMENTS...: what the launcher ends with, and a text that must stand in what is printed.
+expect() {
+  local code="$1" text="$2" printed status
+  shift 2
+  printed="$("$folder/muelle" "$@" 2>&1 </dev/null)"
+  status=$?
+  if [[ $status -ne $code || $printed != *"$text"* ]]; then
+    complain "./muelle $*: exit code $status (expected $code), printed: $printed" "(expected in it: $text)"
+  fi
+  if [[ $code -eq 2 && ($printed != muelle:* || $printed == *$'\n'*) ]]; then complain "not one line: $printed"; fi
+}
+
+echo 0 >"$folder/build/work"
+expect 0 "ran"
+expect 0 "ran check it's --all" check "it's" --all
+
+# Whoever waits says so once, without a terminal; another user's or machine's turn would be waited for as well.
+echo 1 >"$folder/build/work"
+"$folder/muelle" list >/dev/null 2>&1 &
+until [[ -d "$folder/build/busy" ]]; do :; done
+expect 0 "waiting for another ./muelle in this folder (process $!)" list
+wait
+
+# The launcher is killed; what it has started works on, and is waited for.
+"$folder/muelle" list >/dev/null 2>&1 &
+launcher=$!
+until [[ -d "$folder/build/busy" ]]; do :; done
+kill -9 "$launcher"
+wait 2>/dev/null
+expect 0 "waiting for another" list
+
+# Launcher and tool are killed together: the next one does not wait.
+echo 100 >"$folder/build/work"
+set -m
+"$folder/muelle" list >/dev/null 2>&1 &
+set +m
+until [[ -d "$folder/build/busy" ]]; do :; done
+kill -9 -- "-$!"
+wait 2>/dev/null
+rmdir "$folder/build/busy"
+echo 0 >"$folder/build/work"
+printed="$("$folder/muelle" list 2>&1)"
+[[ $printed == "ran list" ]] || complain "after all have been killed: $printed"
+
+# Many at once, every third of them killed soon: none builds beside another, and none is left waiting.
+echo 0.02 >"$folder/build/work"
+for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21; do
+  "$folder/muelle" "number $i" >>"$scratch/said" 2>&1 &
+  if [[ $((i % 3)) -eq 0 ]]; then kill -9 $! 2>/dev/null; fi
+done
+wait 2>/dev/null
+[[ $(grep -c '^ran number' "$scratch/said") -ge 14 ]] || complain "some have not run: $(cat "$scratch/said")"
+[[ ! -e "$folder/build/overlaps" ]] || complain "two have built at the same time"
+
+# A folder that cannot be written. Root can write everywhere, so this takes another user.
+refused() {
+  local text="$1" printed
+  printed="$(setpriv --reuid=65534 --clear-groups "$folder/muelle" list 2>&1)"
+  if [[ $? -ne 2 || $printed != muelle:*"$text"*"cp -R"* || $printed == *$'\n'* ]]; then
+    complain "expected one line with '$text', got: $printed"
+  fi
+}
+if [[ $(id -u) -eq 0 ]] && command -v setpriv >/dev/null; then
+  chmod 755 "$scratch"
+  refused "build belongs to root and you cannot write there"
+  rm -r "$folder/build"
+  refused "belongs to root and you cannot write there"
+  chown 65534 "$folder"
+  chmod 555 "$folder"
+  refused "is read-only, and the build goes there"
+else
+  echo "not root: a checkout of another user is not tried"
+fi
+exit $((failures > 0))

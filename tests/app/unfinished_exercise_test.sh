@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Usage: unfinished_exercise_test.sh SOURCE MUELLE. A student's tree in which an exercise lacks a file: CMake leaves it
+# out and says so in a file, `muelle` reads that, and the exercise is found as soon as it is complete.
+set -uo pipefail
+source="$1"
+scratch="$(mktemp -d)"
+trap 'rm -rf "$scratch"' EXIT
+tree="$scratch/a b'c é"
+mkdir -p "$tree/framework"
+cp "$source"/CMake* "$tree"
+for room in app base cmake course figures harness; do cp -R "$source/framework/$room" "$tree/framework"; done
+cp -R "$source/exercises" "$tree"
+failures=0
+complain() {
+  printf '%s\n' "$@" >&2
+  failures=$((failures + 1))
+}
+
+# expect TEXT: what the build says is left out, after CMake has had its chance to look again.
+expect() {
+  local said
+  ninja -C "$tree/build" build.ninja >"$scratch/log" 2>&1 || complain "ninja: $(cat "$scratch/log")"
+  said="$(cat "$tree/build/unfinished_exercises.txt")"
+  [[ $said == "$1" ]] || complain "left out: '$said', expected: '$1'"
+}
+has_target() { ninja -C "$tree/build" -t targets all | grep -q "$1"; }
+
+mv "$tree/exercises/damping/demo.cpp" "$scratch"
+mkdir "$tree/exercises/pendulum"
+printf '#include "harness/exercise.h"\n' >"$tree/exercises/pendulum/pendulum.h"
+cmake -S "$tree" --preset default >"$scratch/log" 2>&1 || complain "cmake: $(tail -5 "$scratch/log")"
+lacks_all="pendulum: exercises/pendulum/exercise.toml, exercises/pendulum/pendulum.cpp, exercises/pendulum/public_test.cpp"
+lacks_all+=", exercises/pendulum/demo.cpp"
+expect "damping: exercises/damping/demo.cpp
+$lacks_all"
+has_target public_damping && complain "an exercise without demo is built"
+
+mv "$scratch/demo.cpp" "$tree/exercises/damping"
+expect "$lacks_all"
+has_target public_damping || complain "the exercise is complete and not found"
+
+for file in exercise.toml public_test.cpp demo.cpp; do cp "$tree/exercises/damping/$file" "$tree/exercises/pendulum"; done
+cp "$tree/exercises/damping/damping.cpp" "$tree/exercises/pendulum/pendulum.cpp"
+expect ""
+has_target public_pendulum || complain "the new exercise is complete and not found"
+
+rm "$tree/exercises/pendulum/public_test.cpp"
+expect "pendulum: exercises/pendulum/public_test.cpp"
+exit $((failures > 0))
