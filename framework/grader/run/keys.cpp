@@ -1,6 +1,7 @@
 #include "grader/run/keys.h"
 
 #include "base/file.h"
+#include "course/check/symbols.h"
 #include "grader/run/compile.h"
 #include "grader/run/digest.h"
 
@@ -41,7 +42,7 @@ std::string objectKey(const Workplace& workplace, const Manifest& manifest, cons
   std::string headers;
   for (const VisibleFile& header : compilersView(workplace, manifest)) headers += digestOf(header.source);
   return digest({"object 2", manifest.topic, digestOfSources(sources), headers, compileScript(workplace, sources),
-                 compilerIdentity(workplace), toText(sandbox), workplace.judgesSymbols ? "judged" : "unjudged"});
+                 compilerIdentity(workplace), toText(sandbox), workplace.judgesSymbols ? symbolRules() : "unjudged"});
 }
 
 std::string verdictKey(const Workplace& workplace, const Manifest& manifest, const Criterion& criterion,
