@@ -12,6 +12,7 @@
 #include "course/check/report_line.h"
 #include "course/check/standard_message.h"
 #include "course/testing/call_record.h"
+#include "course/testing/common_mistake.h"
 #include "course/testing/mismatch_text.h"
 #include "course/testing/never_written.h"
 #include "figures/write.h"
@@ -72,6 +73,13 @@ class ReportingListener : public testing::EmptyTestEventListener {
     }
     report("end", result.Passed() ? "passed" : "failed");
   }
+  void OnTestProgramEnd(const testing::UnitTest&) override {
+    for (const auto& [function, answers] : comparedAnswers()) {
+      if (const std::optional<double> factor = answers.factor()) {
+        report("factor", exactText(*factor) + " " + function);
+      }
+    }
+  }
 
   /// GoogleTest wraps an exception's text in words about itself.
   static std::string withoutExceptionPhrase(const std::string& message) {
@@ -87,7 +95,11 @@ class ReportingListener : public testing::EmptyTestEventListener {
   }
 
  public:
-  static void report(std::string_view kind, std::string_view text) { writeReport(reportLine(kind, text)); }
+  /// What is longer than anybody reads is cut: the report has a bound.
+  static void report(std::string_view kind, std::string_view text) {
+    constexpr std::size_t longest = 8192;
+    writeReport(reportLine(kind, text.substr(0, longest)));
+  }
   /// The text of the latest EigenMisuse: GoogleTest keeps only the text of an exception.
   static std::string& lastMisuse() {
     static std::string text;
