@@ -23,7 +23,7 @@ function(muelle_role_library target topic role)
   target_link_libraries(${target} PRIVATE muelle_flags muelle_harness muelle_testing)
   target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/exercises/${topic})
   target_compile_definitions(${target} PRIVATE MUELLE_FUNCTIONS_HEADER="${role}" ${MUELLE_FILL_DEFINE})
-  target_compile_options(${target} PRIVATE -O1)
+  target_compile_options(${target} PRIVATE ${MUELLE_LIGHT})
 endfunction()
 
 # For `muelle check`: the public tests and the demo, to be linked with the student's object file. A file lists
@@ -72,7 +72,7 @@ function(muelle_grading_parts topic)
                                  ${folder}/demo.cpp)
   target_link_libraries(hidden_${topic} PRIVATE reference_demo_${topic} muelle_hidden_main)
   target_include_directories(hidden_${topic} PRIVATE ${folder})
-  target_compile_options(hidden_${topic} PRIVATE -O1)
+  target_compile_options(hidden_${topic} PRIVATE ${MUELLE_LIGHT})
   target_compile_definitions(hidden_${topic} PRIVATE
                              MUELLE_FUNCTIONS_HEADER="grader/remote/remote_functions.h")
   set_target_properties(hidden_${topic} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/hidden)

@@ -1,0 +1,43 @@
+# Sourced by every step: the root as working folder, two jobs, the compile database without precompiled header.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+jobs=2
+
+# Which sources: --all, or a share that the step states.
+share=recent
+if [[ ${1:-} == --all ]]; then share=all; fi
+
+# Prints a step's one line and, at its end, its time.
+begin() {
+  step="$(basename "$0" .sh)"
+  began=$SECONDS
+  printf '== %s: %s\n' "$step" "$1"
+  trap 'finish $?' EXIT
+}
+
+finish() {
+  local took=$((SECONDS - began)) word=passed
+  if [[ $1 -ne 0 ]]; then word="FAILED (exit code $1)"; fi
+  printf '== %s: %s in %d min %02d s\n' "$step" "$word" $((took / 60)) $((took % 60))
+}
+
+# Configures the tree without precompiled header (nothing is built there) and says where it is. clang and clang-tidy
+# cannot read GCC's header, and neither may our code depend on what it includes.
+plain_tree() {
+  cmake --preset plain >build-plain.log 2>&1 || { cat build-plain.log >&2; exit 2; }
+  rm -f build-plain.log
+}
+
+# Source files of the compile database, a line each, from the root.
+database_sources() {
+  sed -n 's/^  "file": "\(.*\)",\{0,1\}$/\1/p' build-plain/compile_commands.json | sed "s|^$PWD/||" | sort -u
+}
+
+# Sources that the last 30 commits touched; with --all every one.
+chosen_sources() {
+  if [[ $share == all ]]; then
+    database_sources
+  else
+    comm -12 <(database_sources) <(git log -30 --format= --name-only | sort -u)
+  fi
+}
