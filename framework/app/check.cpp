@@ -60,6 +60,7 @@ class Check {
       fmt::print("{}\n", dim(fmt::format("compiled with {}; the course is graded with g++", build_paths::compiler)));
     }
     const StudentProgram program = buildStudentProgram(exercise_, sources_, folders_);
+    if (!program.note.empty()) fmt::print("{}\n", dim(printableLine(program.note)));
     if (program.executable.empty()) {
       fmt::print("{} {}: {}\n\n{}\n", red("✗"), bold(exercise_.topic), printableLine(program.message),
                  program.diagnostics);

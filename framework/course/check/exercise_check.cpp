@@ -20,8 +20,13 @@ namespace {
 constexpr int wallSeconds = 60;
 constexpr unsigned processorSeconds = 15;
 
+constexpr std::size_t memory = 1UL << 30U;  ///< [bytes] as the grader's
+
+/// Whether AddressSanitizer is in the program, which reserves more address space than there is memory.
+enum class Instrumented { No, Yes };
+
 /// Without input, in the C locale; both streams together, the report apart.
-CommandResult runStudentProgram(const std::vector<std::string>& command) {
+CommandResult runStudentProgram(const std::vector<std::string>& command, Instrumented instrumented) {
   ChildSpec spec;
   spec.command = command;
   spec.inheritsEnvironment = true;
@@ -30,13 +35,25 @@ CommandResult runStudentProgram(const std::vector<std::string>& command) {
       // The allocator's own cache would hand memory out without filling it.
       "GLIBC_TUNABLES=glibc.malloc.tcache_count=0",
       "ASAN_OPTIONS=detect_leaks=0:detect_stack_use_after_return=1:detect_container_overflow=0:handle_segv=0:"
-      "handle_abort=0:handle_sigfpe=0:handle_sigill=0:handle_sigbus=0",
+      "handle_abort=0:handle_sigfpe=0:handle_sigill=0:handle_sigbus=0:"
+      // Its own bounds of memory, in MiB: of one allocation, and (not on macOS) of all that is resident.
+      "max_allocation_size_mb=1024:hard_rss_limit_mb=1024",
   };
+#ifndef __APPLE__
+  if (instrumented == Instrumented::No) spec.limits.addressSpace = memory;
+#endif
   spec.limits.cpuSeconds = processorSeconds;
   spec.limits.stack = 8U << 20U;  // an endless recursion must meet the end of the stack before the end of the memory
   constexpr std::size_t bytes = 65536;
   return runCommand(spec, {std::chrono::seconds(wallSeconds), bytes, 0, 16 * bytes, true});
 }
+
+/// Of the plain build: Yes in a build folder that has sanitizers everywhere.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr Instrumented isInstrumented = Instrumented::Yes;
+#else
+constexpr Instrumented isInstrumented = Instrumented::No;
+#endif
 
 /// Builds the report from what the program wrote.
 class ReportReader {
@@ -73,10 +90,17 @@ class ReportReader {
     }
   }
 
-  /// Of the first failure, or of the crash outside of every test.
+  /// Of the first failure that ended the calls, else of memory that was never written, else a wrong answer: as the
+  /// grader sorts the tests of a criterion. Of the crash when it was outside of every test.
   Outcome outcome() const {
     if (report_.allPassed()) return Outcome::Passed;
-    return report_.failures.empty() ? lastOutcome_ : report_.failures.front().outcome;
+    if (report_.failures.empty()) return lastOutcome_;
+    const auto of = [](const FailedTest& failure) { return failure.outcome; };
+    const auto ended = std::ranges::find_if(
+        report_.failures, [](Outcome o) { return o != Outcome::Wrong && o != Outcome::NeverWritten; }, of);
+    if (ended != report_.failures.end()) return ended->outcome;
+    const bool isUnwritten = std::ranges::find(report_.failures, Outcome::NeverWritten, of) != report_.failures.end();
+    return isUnwritten ? Outcome::NeverWritten : Outcome::Wrong;
   }
 
  private:
@@ -125,7 +149,8 @@ class ReportReader {
 /// What the sanitizers find in the second build; "" when they confirm nothing.
 std::string secondLook(const StudentProgram& program) {
   if (program.sanitized.empty()) return "";
-  return explainSanitizers(runStudentProgram({program.sanitized.string(), "tests"}).out, program.students);
+  const CommandResult result = runStudentProgram({program.sanitized.string(), "tests"}, Instrumented::Yes);
+  return explainSanitizers(result.out, program.students);
 }
 
 /// Puts what the second look has confirmed before everything else.
@@ -150,12 +175,12 @@ Outcome checkOutcome(const StudentProgram& program, const TestReport& report) {
 
 TestReport runPublicTests(const StudentProgram& program) {
   const std::vector<std::string> command{program.executable.string(), "tests"};
-  CommandResult result = runStudentProgram(command);
+  CommandResult result = runStudentProgram(command, isInstrumented);
   // From outside, perhaps, or stopped: once more.
   const auto isMachines = [](const CommandResult& r) {
     return r.timedOut || (r.status.signalled && r.status.code == SIGKILL);
   };
-  if (isMachines(result)) result = runStudentProgram(command);
+  if (isMachines(result)) result = runStudentProgram(command, isInstrumented);
   if (result.timedOut) {
     throw std::runtime_error(
         fmt::format("the tests did not end within {} s, nor took the processor time: the machine is too busy, or they "
@@ -174,7 +199,8 @@ TestReport runPublicTests(const StudentProgram& program) {
 
 CurvesReport drawCurves(const StudentProgram& program, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  const CommandResult result = runStudentProgram({program.executable.string(), "demo", folder.string()});
+  const CommandResult result =
+      runStudentProgram({program.executable.string(), "demo", folder.string()}, isInstrumented);
   CurvesReport curves;
   bool done = false;
   for (const auto& [kind, text] : readReport(result.report)) {

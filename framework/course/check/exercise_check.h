@@ -27,7 +27,8 @@ struct TestReport {
   std::vector<FailedTest> failures;  ///< in the order of the tests
   std::string crash;   ///< why the program ended early; "" when it did not. The rest of the tests did not run
   std::string output;  ///< what the student's code printed; untrusted text
-  Outcome outcome = Outcome::Wrong;  ///< of the first failure, or of the crash that let no test begin
+  Outcome outcome =
+      Outcome::Wrong;  ///< of all tests together: a crash before memory never written before a wrong answer
 
   bool allPassed() const { return crash.empty() && failures.empty() && total > 0 && passed == total; }
 };

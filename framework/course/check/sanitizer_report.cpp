@@ -27,6 +27,9 @@ constexpr auto kinds = std::to_array<Kind>({
     {"dynamic-stack-buffer-overflow", "reads or writes beyond the end of a local array"},
     {"heap-buffer-overflow", "reads or writes beyond the end of an array"},
     {"global-buffer-overflow", "reads or writes beyond the end of an array"},
+    {"requested allocation size", "asks for more memory than there is"},
+    {"out of memory", "asks for more memory than there is"},
+    {"out-of-memory", "asks for more memory than there is"},
     {"reached the end of a value-returning function", "ends without returning a value"},
 });
 
@@ -52,6 +55,9 @@ std::string placeIn(std::string_view text, const std::vector<StudentFile>& files
 }  // namespace
 
 std::string explainSanitizers(std::string_view output, const std::vector<StudentFile>& files) {
+  if (output.find("AddressSanitizer: hard rss limit exhausted") != std::string_view::npos) {
+    return fmt::format("{} used more than 1 GiB of memory", files.empty() ? "the file" : files.front().name);
+  }
   const std::size_t start = std::min(output.find("ERROR: AddressSanitizer: "), output.find(": runtime error: "));
   if (start == std::string_view::npos) return "";
   // UndefinedBehaviorSanitizer puts the place in front of its words.

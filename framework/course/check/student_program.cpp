@@ -7,6 +7,7 @@
 #include "course/check/compile_rules.h"
 #include "course/check/compile_verdict.h"
 #include "course/check/probe.h"
+#include "course/check/source_text.h"
 #include "course/check/symbols.h"
 #include "course/unfinished.h"
 
@@ -56,10 +57,7 @@ class Builder {
  public:
   Builder(const Manifest& manifest, const std::vector<fs::path>& sources, const CheckFolders& folders)
       : topic_(manifest.topic), sources_(sources), folders_(folders) {
-    for (const fs::path& source : sources_) {
-      if (!fs::is_regular_file(source)) throw std::runtime_error(fmt::format("no file {}", source.string()));
-      students_.push_back({source.filename().string(), readFile(source)});
-    }
+    for (const fs::path& source : sources_) read(source);
     contract_ = folders.exercises / topic_ / (topic_ + ".h");
     parts_ = folders.build / "check" / (topic_ + ".parts");
     const auto unfinished = unfinishedExercises(folders.build);
@@ -80,11 +78,18 @@ class Builder {
   StudentProgram build() {
     StudentProgram program;
     program.students = students_;
+    program.note = note_;
+    if (!refusal_.empty()) {
+      program.outcome = Outcome::Refused;
+      program.message = refusal_;
+      return program;
+    }
     program.fingerprint = fingerprintOf(inputs());
     const fs::path stamp = slot_ / "stamp";
     if (fs::exists(stamp) && readFile(stamp) == program.fingerprint) return kept(program);
     const TemporaryFolder scratch(slot_);
     std::vector<std::string> objects;
+    takeConvertedCopies(scratch.path());
     for (const fs::path& source : sources_) {
       objects.push_back((scratch.path() / source.stem()).string() + ".o");
       const CompileVerdict verdict = decided(scratch.path(), [&] { return compile(source, objects.back()); });
@@ -109,6 +114,31 @@ class Builder {
   }
 
  private:
+  /// As the grader's intake reads it: what is no text, or too much of it, is refused before it meets the compiler.
+  void read(const fs::path& source) {
+    if (!fs::is_regular_file(source)) throw std::runtime_error(fmt::format("no file {}", source.string()));
+    const std::string name = source.filename().string();
+    const std::string bytes = readFile(source);
+    const SourceText text = readSource(bytes);
+    if (bytes.size() > largestSource) {
+      refusal_ = fmt::format("{} is larger than {} KiB", name, largestSource >> 10U);
+    } else if (!text.refusal.empty()) {
+      refusal_ = fmt::format("{} {}", name, text.refusal);
+    }
+    if (!text.note.empty()) note_ += fmt::format("{}{}: {}", note_.empty() ? "" : "; ", name, text.note);
+    students_.push_back({name, text.text});
+    isConverted_.push_back(text.text != bytes);
+  }
+
+  /// The compiler reads the text, not the bytes from which it was made.
+  void takeConvertedCopies(const fs::path& scratch) {
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+      if (!isConverted_[i]) continue;
+      sources_[i] = scratch / students_[i].name;
+      writeFile(sources_[i], students_[i].text);
+    }
+  }
+
   /// What stands in the slot.
   StudentProgram kept(StudentProgram program) const {
     program.executable = slot_ / "program";
@@ -180,10 +210,25 @@ class Builder {
     return judgeCompilation(run, students_, limits_);
   }
 
-  /// Without nm, which every compiler's package has, nothing is judged: the linker finds main twice.
+  /// `nm -P` of the objects. Throws std::runtime_error when it is missing or fails: a file that the grader refuses by
+  /// what it uses must not pass here.
+  std::string symbolsOf(const std::vector<std::string>& objects) const {
+    std::string reason;
+    try {
+      const ToolRun run = runTool(symbolsCommand(objects), {.words = 1U << 20U});
+      if (run.succeeded) return run.words;
+      reason = printableLine(run.words.substr(0, run.words.find('\n')));
+    } catch (const std::runtime_error& error) {
+      reason = error.what();
+    }
+    throw std::runtime_error(fmt::format(
+        "nm did not list what {} uses ({}), so that it cannot be judged as it is graded: install nm, of the "
+        "package binutils (on macOS: xcode-select --install)",
+        students_.front().name, reason));
+  }
+
   bool judgeObjects(const std::vector<std::string>& objects, StudentProgram& program) const {
-    const ToolRun run = runTool(symbolsCommand(objects), {.words = 1U << 20U});
-    const SymbolVerdict verdict = judgeSymbols(readSymbols(run.words));
+    const SymbolVerdict verdict = judgeSymbols(readSymbols(symbolsOf(objects)));
     if (verdict.outcome == Outcome::Passed) return true;
     program.outcome = verdict.outcome;
     program.message = verdict.message;
@@ -219,6 +264,9 @@ class Builder {
   fs::path slot_;
   CompileLimits limits_;
   bool wantsSecondLook_ = false;
+  std::vector<bool> isConverted_;  ///< of each source: its text is not its bytes
+  std::string refusal_;            ///< why a source is not compiled at all; "" when all are
+  std::string note_;
 };
 
 }  // namespace

@@ -26,7 +26,8 @@ struct StudentProgram {
   std::string fingerprint;            ///< tells one state of all its sources from another
   Outcome outcome = Outcome::Passed;  ///< Compile, Link, Forbidden, Cpu, ... when it could not be built
   std::string message;                ///< why, in one line: the grader's words
-  std::filesystem::path sanitized;    ///< the second build, which a warning of its kinds starts; else empty
+  std::string note;                 ///< what was done to read its text: "spring_3d.cpp: converted from UTF-16"; else ""
+  std::filesystem::path sanitized;  ///< the second build, which a warning of its kinds starts; else empty
   std::vector<StudentFile> students;  ///< its sources
 };
 

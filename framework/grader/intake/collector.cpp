@@ -2,9 +2,9 @@
 
 #include "base/text/nearest.h"
 #include "base/text/printable.h"
+#include "course/check/source_text.h"
 #include "grader/intake/file_names.h"
 #include "grader/intake/read_file.h"
-#include "grader/intake/source_text.h"
 #include "grader/run/digest.h"
 
 #include <fmt/format.h>
@@ -15,6 +15,8 @@
 namespace muelle::grader {
 
 namespace {
+
+static_assert(IntakeLimits{}.sourceBytes == largestSource, "check refuses a file by the same size");
 
 constexpr std::size_t shownNames = 4;
 constexpr std::size_t shownNearNames = 3;

@@ -1,8 +1,8 @@
-#include "grader/intake/source_text.h"
+#include "course/check/source_text.h"
 
 #include <gtest/gtest.h>
 
-namespace muelle::grader {
+namespace muelle {
 namespace {
 
 /// Two bytes a character of `text` (which is ASCII or Latin-1), behind the byte order mark.
@@ -65,4 +65,4 @@ TEST(SourceText, OtherwiseStaysByteByByte) {
 }
 
 }  // namespace
-}  // namespace muelle::grader
+}  // namespace muelle

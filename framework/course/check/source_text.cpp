@@ -1,4 +1,4 @@
-#include "grader/intake/source_text.h"
+#include "course/check/source_text.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-namespace muelle::grader {
+namespace muelle {
 
 namespace {
 
@@ -82,4 +82,4 @@ SourceText readSource(std::string bytes) {
   return source;
 }
 
-}  // namespace muelle::grader
+}  // namespace muelle

@@ -1,7 +1,11 @@
 #pragma once
+#include <cstddef>
 #include <string>
 
-namespace muelle::grader {
+namespace muelle {
+
+/// A larger source file [bytes] is refused unread.
+inline constexpr std::size_t largestSource = 256UL * 1024;
 
 /// A source as the compiler gets it.
 struct SourceText {
@@ -15,4 +19,4 @@ struct SourceText {
 /// Latin-1 too: the compiler decides. A file that holds a NUL is no text.
 SourceText readSource(std::string bytes);
 
-}  // namespace muelle::grader
+}  // namespace muelle

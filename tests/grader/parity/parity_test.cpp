@@ -1,0 +1,161 @@
+/// \file
+/// Every right and wrong submission, every solution, and every hostile one that acts through the C library has the same
+/// class of outcome in `check` and in `grade`, on the inputs of the public tests.
+///
+/// A pair costs two to three seconds of processor time. One known submission in eight is taken, whatever is new or
+/// changed always (corpus_share.h); MUELLE_SHARE=all takes everything, MUELLE_SHARE=N one in N.
+
+#include "confined_check.h"
+
+#include "base/build_paths.h"
+#include "base/file.h"
+#include "base/process/child.h"
+#include "grader/matrix/corpus_share.h"
+#include "grader/run/grade.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <sstream>
+
+namespace muelle::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source = build_paths::source;
+
+/// Hostile submissions that act without the C library, and so by no symbol that could refuse them: what ends them in
+/// `grade` is the sandbox, which a student's machine does not have.
+struct Exception {
+  std::string_view name;
+  std::string_view reason;
+};
+constexpr auto exceptions = std::to_array<Exception>({
+    {"system_call_by_hand", "an instruction of its own"},
+});
+
+bool isExcepted(const fs::path& folder) {
+  const std::string name = folder.filename().string();
+  return folder.parent_path().filename() == "hostile" &&
+         std::ranges::find(exceptions, name, &Exception::name) != exceptions.end();
+}
+
+int share() { return std::getenv("MUELLE_SHARE") == nullptr ? 2 * usualShare : shareOfEnvironment(); }
+
+std::vector<fs::path> submissions() {
+  const fs::path corpus = source / "tests" / "submissions";
+  const CorpusShare taken(corpus, share());
+  std::vector<fs::path> folders;
+  for (const fs::path& folder : submissionsIn(corpus)) {
+    if (!isExcepted(folder) && taken.takes(folder)) folders.push_back(folder);
+  }
+  for (const fs::path& folder : submissionsIn(source / "solutions")) folders.push_back(folder);
+  return folders;
+}
+
+/// "spring_1d_wrong_halved"
+std::string nameOfTest(const ::testing::TestParamInfo<fs::path>& info) {
+  std::string name = info.param.lexically_relative(source / "tests" / "submissions").generic_string();
+  if (name.starts_with("../")) name = "solution_" + info.param.filename().string();
+  std::ranges::replace_if(
+      name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  return name;
+}
+
+Workplace workplaceOfPublicTests() {
+  Workplace workplace = Workplace::ofThisBuild();
+  workplace.binary = MUELLE_PARITY;
+  return workplace;
+}
+
+/// A criterion for each suite of the public tests, in their order.
+std::vector<Criterion> publicCriteria(const Workplace& workplace, const Manifest& manifest) {
+  ChildSpec spec;
+  spec.command = {workplace.hiddenProgram(manifest.topic).string(), "--list"};
+  std::istringstream lines(runCommand(spec, {}).out);
+  std::vector<Criterion> criteria;
+  for (std::string kind, name; lines >> kind && std::getline(lines >> std::ws, name);) {
+    if (kind != "suite") continue;
+    Criterion criterion;
+    const auto stated = std::ranges::find(manifest.criteria, name, &Criterion::suite);
+    if (stated != manifest.criteria.end()) criterion = *stated;
+    criterion.suite = name;
+    criterion.points = 1;
+    criteria.push_back(criterion);
+  }
+  return criteria;
+}
+
+Manifest manifestOf(const fs::path& submission) {
+  for (const Manifest& manifest : readCourse(source / "exercises")) {
+    if (fs::exists(submission / manifest.files.front())) return manifest;
+  }
+  throw std::runtime_error(submission.string() + " holds no file of an exercise");
+}
+
+std::string wordsOf(const GradedExercise& graded) {
+  std::string words = graded.build.message + "\n";
+  for (const auto& [suite, verdict] : graded.verdicts) {
+    words += suite + ": " + std::string(nameOf(verdict.outcome)) + " " + verdict.fault + verdict.neverWritten + "\n";
+  }
+  return words;
+}
+
+/// The class of all criteria together, as check sorts its tests.
+Outcome outcomeOf(const GradedExercise& graded) {
+  if (graded.build.status != BuildOutcome::Status::Built) return graded.build.outcome;
+  Outcome worst = Outcome::Passed;
+  for (const Criterion& criterion : graded.manifest.criteria) {
+    const Outcome outcome = graded.verdicts.at(criterion.suite).outcome;
+    const bool endsTheCalls =
+        outcome != Outcome::Passed && outcome != Outcome::Wrong && outcome != Outcome::NeverWritten;
+    if (endsTheCalls) return outcome;
+    if (outcome == Outcome::NeverWritten || worst == Outcome::Passed) worst = outcome;
+  }
+  return worst;
+}
+
+class Parity : public ::testing::TestWithParam<fs::path> {};
+
+TEST_P(Parity, OfCheckAndGrade) {
+  std::unique_ptr<Sandbox> sandbox;
+  try {
+    sandbox = makeSandbox(SandboxChoice::Bubblewrap);
+  } catch (const std::exception& error) {
+    GTEST_SKIP() << "check is run in bubblewrap only: " << error.what();
+  }
+  const Workplace workplace = workplaceOfPublicTests();
+  Manifest manifest = manifestOf(GetParam());
+  manifest.criteria = publicCriteria(workplace, manifest);
+  ASSERT_FALSE(manifest.criteria.empty());
+  GradeOptions options;
+  options.sandbox = SandboxChoice::Bubblewrap;
+  options.withCurves = false;
+  Grader grader(workplace, {manifest}, options, std::move(sandbox));
+
+  const Submission submission = grader.take(GetParam());
+  const GradedExercise graded = grade(grader, submission, 1).exercises.front();
+  ASSERT_FALSE(hasGraderFault(graded)) << wordsOf(graded);
+  // The file as it was handed in: check reads it in its own way.
+  Sources files;
+  for (const std::string& name : manifest.files) files[name] = readFile(GetParam() / name);
+  const Checked checked = checkConfined(grader.sandbox(), manifest, files);
+  ASSERT_EQ(checked.trouble, "") << "grade: " << nameOf(outcomeOf(graded)) << "\n" << wordsOf(graded);
+  EXPECT_EQ(nameOf(checked.outcome), nameOf(outcomeOf(graded)))
+      << "check says: " << checked.words << "\ngrade says: " << wordsOf(graded);
+}
+
+INSTANTIATE_TEST_SUITE_P(Submission, Parity, ::testing::ValuesIn(submissions()), nameOfTest);
+
+TEST(Exceptions, AreHostileSubmissionsThatThereAre) {
+  for (const Exception& exception : exceptions) {
+    EXPECT_TRUE(fs::exists(source / "tests" / "submissions" / "hostile" / exception.name)) << exception.name;
+    EXPECT_FALSE(exception.reason.empty()) << exception.name;
+  }
+}
+
+}  // namespace
+}  // namespace muelle::grader
