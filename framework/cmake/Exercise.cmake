@@ -77,6 +77,24 @@ function(muelle_grading_parts topic)
                              MUELLE_FUNCTIONS_HEADER="grader/remote/remote_functions.h")
   set_target_properties(hidden_${topic} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/hidden)
   add_dependencies(muelle_grading hidden_${topic} glue_${topic})
+  muelle_agreement(${topic})
+endfunction()
+
+# A suite that pays nothing, a criterion that nothing tests: the build fails and names both files.
+function(muelle_agreement topic)
+  set(manifest exercises/${topic}/exercise.toml)
+  set(public exercises/${topic}/public_test.cpp)
+  set(stamp ${CMAKE_BINARY_DIR}/hidden/${topic}.agrees)
+  add_custom_command(
+    OUTPUT ${stamp}
+    COMMAND hidden_${topic} --agree ${manifest} tests/hidden/${topic}/${topic}_test.cpp ${public}
+    COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
+    DEPENDS hidden_${topic} ${CMAKE_SOURCE_DIR}/${manifest} ${CMAKE_SOURCE_DIR}/${public}
+    WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
+    COMMENT "Comparing criteria and tests of ${topic}"
+    VERBATIM)
+  add_custom_target(agreement_${topic} DEPENDS ${stamp})
+  add_dependencies(muelle_grading agreement_${topic})
 endfunction()
 
 # Names the files that an exercise still lacks; an unfinished exercise is left out of the build, not in its way.

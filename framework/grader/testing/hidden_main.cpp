@@ -3,6 +3,8 @@
 /// No code of a student is ever loaded here; submission::f is a call to a worker.
 
 #include "base/command_line.h"
+#include "base/file.h"
+#include "course/suites.h"
 #include "course/testing/random.h"
 #include "figures/write.h"
 #include "grader/record.h"
@@ -48,6 +50,29 @@ int list() {
     for (const std::string& id : history->mistakes()) std::cout << "mistake " << function << ' ' << id << '\n';
   }
   return 0;
+}
+
+/// The suites of this program, and how many of their tests run.
+std::vector<muelle::TestSuite> ownSuites() {
+  const ::testing::UnitTest& tests = *::testing::UnitTest::GetInstance();
+  std::vector<muelle::TestSuite> suites;
+  for (int i = 0; i < tests.total_test_suite_count(); ++i) {
+    const ::testing::TestSuite& suite = *tests.GetTestSuite(i);
+    suites.push_back({suite.name(), suite.total_test_count() - suite.disabled_test_count()});
+  }
+  return suites;
+}
+
+/// For the build: says where manifest and tests disagree. The files are the manifest, the source of this program, the
+/// public tests, as the author knows them: relative to the checkout, in which this program is started
+int agree(const std::string& manifestFile, const std::string& hiddenSource, const std::string& publicSource) {
+  const muelle::Manifest manifest = muelle::readManifest(manifestFile);
+  std::vector<std::string> lines = muelle::disagreements(manifest, ownSuites(), manifestFile, hiddenSource);
+  const auto ofPublic = muelle::publicDisagreements(manifest, muelle::suitesInSource(muelle::readFile(publicSource)),
+                                                    manifestFile, publicSource);
+  lines.insert(lines.end(), ofPublic.begin(), ofPublic.end());
+  for (const std::string& line : lines) std::cerr << line << '\n';
+  return lines.empty() ? 0 : 1;
 }
 
 Options readOptions(int argc, char** argv) {
@@ -147,6 +172,7 @@ int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&quiet, argv);
   try {
     if (argc == 2 && std::string_view(argv[1]) == "--list") return list();
+    if (argc == 5 && std::string_view(argv[1]) == "--agree") return agree(argv[2], argv[3], argv[4]);
     return run(argc, argv);
   } catch (const std::exception& error) {
     std::cerr << "muelle: " << error.what() << '\n';

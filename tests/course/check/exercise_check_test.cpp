@@ -8,8 +8,10 @@
 #include "course/check/compile_rules.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <limits>
 
 namespace muelle {
@@ -131,6 +133,102 @@ TEST_F(Check, AnIndexOutOfRangeIsNamed) {
             "index 3 of a 3-vector in twice");
   EXPECT_EQ(firstMessage(twice + "double entry(const std::vector<double>& list, int) { return list[list.size()]; }\n"),
             "entry used an index beyond the end of a std::vector");
+}
+
+/// The tools of the compiler, nm aside, as the only ones that are found.
+class WithoutNm {
+ public:
+  explicit WithoutNm(const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder);
+    for (const char* tool : {"as", "ld", "ld.bfd", "ld.gold", "ld.mold", "ld.lld", "mold"}) {
+      const std::filesystem::path program = std::filesystem::path("/usr/bin") / tool;
+      if (std::filesystem::exists(program)) std::filesystem::create_symlink(program, folder / tool);
+    }
+    setenv("PATH", folder.c_str(), 1);
+  }
+  WithoutNm(const WithoutNm&) = delete;
+  WithoutNm& operator=(const WithoutNm&) = delete;
+  ~WithoutNm() { setenv("PATH", path_.c_str(), 1); }
+
+ private:
+  std::string path_ = std::getenv("PATH");
+};
+
+TEST_F(Check, WithoutNmNothingPasses) {
+  const WithoutNm surroundings(folder_.path() / "tools");
+  try {
+    build(twice + entry);
+    FAIL() << "what the file uses was not looked at, and nobody said so";
+  } catch (const std::runtime_error& error) {
+    const std::string words = error.what();
+    EXPECT_TRUE(words.starts_with("nm did not list what fixture_spring.cpp uses")) << words;
+    EXPECT_NE(words.find("binutils"), std::string::npos) << words;
+    EXPECT_EQ(words.find('\n'), std::string::npos) << words;
+  }
+}
+
+/// Most that a child which has ended, or one of its own, had in memory [bytes].
+std::size_t largestChild() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+#ifdef __APPLE__
+  return static_cast<std::size_t>(usage.ru_maxrss);
+#else
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+#endif
+}
+
+const std::string allocatesWithoutEnd = R"(
+Vec3 twice(const Vec3& x) {
+  static std::vector<double*> kept;
+  for (;;) {
+    kept.push_back(new double[1 << 20]);
+    for (int i = 0; i < 1 << 20; i += 256) kept.back()[i] = x[0];
+  }
+}
+)";
+
+TEST_F(Check, MemoryIsBounded) {
+  const TestReport report = run(allocatesWithoutEnd + entry);
+  EXPECT_EQ(report.outcome, Outcome::Wrong);
+  ASSERT_FALSE(report.failures.empty());
+  EXPECT_EQ(report.failures.front().messages.front(), "twice threw an exception: std::bad_alloc");
+  EXPECT_LT(largestChild(), std::size_t{1200} << 20U);
+}
+
+TEST_F(Check, MemoryIsBoundedWithSanitizersToo) {
+  const std::string missingReturn = "int sign(int i);\nint sign(int i) { if (i > 0) return 1; }\n";
+  const StudentProgram program = build(missingReturn + allocatesWithoutEnd + entry);
+  ASSERT_FALSE(program.sanitized.empty()) << program.diagnostics;
+  const TestReport report = runPublicTests(program);
+  EXPECT_EQ(report.outcome, Outcome::Crash);
+  ASSERT_FALSE(report.failures.empty());
+  EXPECT_EQ(report.failures.front().messages.front(), "fixture_spring.cpp used more than 1 GiB of memory");
+  EXPECT_LT(largestChild(), std::size_t{1500} << 20U);
+}
+
+TEST_F(Check, TextOfAnotherEncodingIsReadAsTheGraderReadsIt) {
+  std::string bytes = "\xff\xfe";
+  for (const char c : "#include \"fixture_spring.h\"\n" + twice + entry) bytes += {c, '\0'};
+  const std::filesystem::path file = folder_.path() / "fixture_spring.cpp";
+  writeFile(file, bytes);
+  const StudentProgram program = buildStudentProgram(manifest_, {file}, folders_);
+  EXPECT_EQ(program.note, "fixture_spring.cpp: converted from UTF-16");
+  ASSERT_FALSE(program.executable.empty()) << program.diagnostics;
+  EXPECT_TRUE(runPublicTests(program).allPassed());
+  EXPECT_EQ(readFile(file), bytes);
+}
+
+TEST_F(Check, WhatIsNoTextIsRefused) {
+  const std::filesystem::path file = folder_.path() / "fixture_spring.cpp";
+  writeFile(file, std::string("int\0a;", 6));
+  StudentProgram program = buildStudentProgram(manifest_, {file}, folders_);
+  EXPECT_EQ(program.outcome, Outcome::Refused);
+  EXPECT_EQ(program.message, "fixture_spring.cpp is no text: byte 4 is NUL; save it as UTF-8");
+  writeFile(file, twice + entry + std::string(300'000, '\n'));
+  program = buildStudentProgram(manifest_, {file}, folders_);
+  EXPECT_EQ(program.outcome, Outcome::Refused);
+  EXPECT_EQ(program.message, "fixture_spring.cpp is larger than 256 KiB");
 }
 
 TEST_F(Check, EndlessRecursionIsNamed) {

@@ -1,0 +1,97 @@
+#include "course/suites.h"
+
+#include "base/text/nearest.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+
+namespace muelle {
+
+namespace {
+
+constexpr std::string_view disabled = "DISABLED_";
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return "";
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+void count(std::vector<TestSuite>& suites, std::string_view suite, std::string_view test) {
+  const bool runs = !suite.starts_with(disabled) && !test.starts_with(disabled);
+  auto known = std::ranges::find(suites, suite, &TestSuite::name);
+  if (known == suites.end()) known = suites.insert(suites.end(), TestSuite{std::string(suite), 0});
+  if (runs) ++known->tests;
+}
+
+std::vector<std::string> namesOf(const std::vector<TestSuite>& suites) {
+  std::vector<std::string> names;
+  for (const TestSuite& suite : suites) names.push_back(suite.name);
+  return names;
+}
+
+std::vector<std::string> suitesOf(const std::vector<Criterion>& criteria) {
+  std::vector<std::string> names;
+  for (const Criterion& criterion : criteria) names.push_back(criterion.suite);
+  return names;
+}
+
+/// Suites that no criterion names, and suites of which no test runs.
+std::vector<std::string> ofSuites(const Manifest& manifest, const std::vector<TestSuite>& suites,
+                                  std::string_view manifestName, std::string_view sourceName) {
+  std::vector<std::string> lines;
+  const std::vector<std::string> stated = suitesOf(manifest.criteria);
+  for (const TestSuite& suite : suites) {
+    if (std::ranges::find(stated, suite.name) == stated.end()) {
+      lines.push_back(fmt::format(
+          "{}: suite {} is no criterion of {}; add a [[criterion]] with suite = \"{}\", or rename the suite{}",
+          sourceName, suite.name, manifestName, suite.name, didYouMean(suite.name, stated)));
+    } else if (suite.tests == 0) {
+      lines.push_back(fmt::format("{}: suite {}, a criterion of {}, is empty: no test of it runs", sourceName,
+                                  suite.name, manifestName));
+    }
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::vector<TestSuite> suitesInSource(std::string_view source) {
+  constexpr auto macros = std::to_array<std::string_view>({"TEST(", "TEST_F(", "TEST_P("});
+  std::vector<TestSuite> suites;
+  while (!source.empty()) {
+    const std::size_t end = std::min(source.find('\n'), source.size());
+    const std::string_view line = source.substr(0, end);
+    const auto macro = std::ranges::find_if(macros, [line](std::string_view m) { return line.starts_with(m); });
+    if (macro != macros.end()) {
+      // The two names may stand on two lines.
+      const std::string_view arguments = source.substr(macro->size(), source.find(')') - macro->size());
+      const std::size_t comma = std::min(arguments.find(','), arguments.size());
+      count(suites, trimmed(arguments.substr(0, comma)),
+            trimmed(arguments.substr(std::min(comma + 1, arguments.size()))));
+    }
+    source.remove_prefix(std::min(end + 1, source.size()));
+  }
+  return suites;
+}
+
+std::vector<std::string> disagreements(const Manifest& manifest, const std::vector<TestSuite>& suites,
+                                       std::string_view manifestName, std::string_view sourceName) {
+  std::vector<std::string> lines = ofSuites(manifest, suites, manifestName, sourceName);
+  const std::vector<std::string> known = namesOf(suites);
+  for (const std::string& suite : suitesOf(manifest.criteria)) {
+    if (std::ranges::find(known, suite) != known.end()) continue;
+    lines.push_back(fmt::format("{}: criterion {} has no suite in {}; write TEST({}, ...), or take the criterion out{}",
+                                manifestName, suite, sourceName, suite, didYouMean(suite, known)));
+  }
+  return lines;
+}
+
+std::vector<std::string> publicDisagreements(const Manifest& manifest, const std::vector<TestSuite>& suites,
+                                             std::string_view manifestName, std::string_view sourceName) {
+  return ofSuites(manifest, suites, manifestName, sourceName);
+}
+
+}  // namespace muelle

@@ -1,0 +1,30 @@
+#pragma once
+#include "course/manifest.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace muelle {
+
+/// A GoogleTest suite of a test program of an exercise.
+struct TestSuite {
+  std::string name;
+  int tests = 0;  ///< that run: those that are disabled do not count
+};
+
+/// The suites of a source, in the order of their first test: TEST(Suite, Name), TEST_F, TEST_P.
+std::vector<TestSuite> suitesInSource(std::string_view source);
+
+/// What a test program has must be what the manifest pays for. Each disagreement is one line that names both files:
+/// a suite without criterion, a criterion without suite, a suite of which no test runs.
+/// \param manifestName, sourceName the files as they are shown: "exercises/triangle/exercise.toml"
+std::vector<std::string> disagreements(const Manifest& manifest, const std::vector<TestSuite>& suites,
+                                       std::string_view manifestName, std::string_view sourceName);
+
+/// The same for the public tests, which need not have a suite for every criterion: a suite without criterion has no
+/// hint.
+std::vector<std::string> publicDisagreements(const Manifest& manifest, const std::vector<TestSuite>& suites,
+                                             std::string_view manifestName, std::string_view sourceName);
+
+}  // namespace muelle
