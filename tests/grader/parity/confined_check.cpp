@@ -20,7 +20,10 @@ Confinement confinementOf(const Manifest& manifest, const Sources& sources) {
     confinement.command.push_back(inside);
   }
   confinement.systemFolders = {"/usr/bin", "/usr/lib", "/usr/include"};
-  if (fs::exists("/usr/lib64")) confinement.systemFolders.emplace_back("/usr/lib64");
+  // Where Debian's c++ leads, among others.
+  for (const char* folder : {"/usr/lib64", "/etc/alternatives"}) {
+    if (fs::exists(folder)) confinement.systemFolders.emplace_back(folder);
+  }
   const fs::path source = build_paths::source;
   for (const std::string& folder : {(source / "framework").string(), (source / "exercises").string(),
                                     std::string(build_paths::binary), std::string(build_paths::eigen)}) {

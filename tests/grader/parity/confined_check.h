@@ -1,4 +1,5 @@
 #pragma once
+#include "course/check/outcome.h"
 #include "grader/run/keys.h"
 #include "grader/sandbox/sandbox.h"
 
