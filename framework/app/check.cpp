@@ -97,9 +97,20 @@ class Check {
     const FailedTest& first = report.failures.front();
     const auto criterion = std::ranges::find(exercise_.criteria, first.suite, &Criterion::suite);
     const bool isKnown = criterion != exercise_.criteria.end();
-    fmt::print("\n{} {}\n{}", bold("mend first:"), isKnown ? criterion->name : first.suite, showFailure(first));
-    if (isKnown) fmt::print("  {} {}\n", bold("hint:"), criterion->hint);
+    fmt::print("\n{} {}\n", bold("mend first:"), isKnown ? criterion->name : first.suite);
+    const std::vector<Misconception> mistakes = mistakesIn(first, report);
+    for (const Misconception& mistake : mistakes) fmt::print("  {}\n", mistake.says);
+    fmt::print("{}", showFailure(first));
+    for (const Misconception& mistake : mistakes) fmt::print("  {} {}\n", bold("hint:"), mistake.hint);
+    if (isKnown && mistakes.empty()) fmt::print("  {} {}\n", bold("hint:"), criterion->hint);
     fmt::print("\n");
+  }
+
+  /// Those named mistakes whose function the failed test has called.
+  std::vector<Misconception> mistakesIn(const FailedTest& test, const TestReport& report) const {
+    std::vector<Misconception> mistakes = namedMistakes(report, exercise_);
+    std::erase_if(mistakes, [&test](const Misconception& m) { return !test.call.starts_with(m.function + "("); });
+    return mistakes;
   }
 
   static void printCurves(const CurvesReport& curves) {

@@ -4,6 +4,7 @@
 #include "base/text/printable.h"
 #include "course/check/report_line.h"
 #include "course/check/sanitizer_report.h"
+#include "course/testing/common_mistake.h"
 #include "course/testing/mismatch_text.h"
 
 #include <fmt/format.h>
@@ -71,6 +72,7 @@ class ReportReader {
       current_.outcome = outcomeNamed(text);
       hasOutcome_ = true;
     }
+    if (kind == "factor") takeFactor(text);
     if (kind == "crash") report_.crash = text;
     if (kind == "end") end(text == "passed");
     if (kind == "done") done_ = true;
@@ -106,6 +108,12 @@ class ReportReader {
  private:
   void takeMismatch(const std::string& text) {
     if (const std::optional<Mismatch> mismatch = readMismatch(text)) current_.mismatches.push_back(*mismatch);
+  }
+  /// "-1 springForce"
+  void takeFactor(const std::string& text) {
+    const std::size_t blank = std::min(text.find(' '), text.size());
+    const std::optional<double> factor = exactNumber(text.substr(0, blank));
+    if (factor && blank < text.size()) report_.findings.push_back({text.substr(blank + 1), *factor});
   }
   void begin(const std::string& fullName) {
     const std::size_t dot = fullName.find('.');
@@ -195,6 +203,18 @@ TestReport runPublicTests(const StudentProgram& program) {
   addConfirmed(secondLook(program), report);
   report.outcome = reader.outcome();
   return report;
+}
+
+std::vector<Misconception> namedMistakes(const TestReport& report, const Manifest& manifest) {
+  std::vector<Misconception> named;
+  if (report.outcome != Outcome::Wrong) return named;
+  for (const Misconception& known : manifest.misconceptions) {
+    const auto shows = [&known](const CommonFinding& finding) {
+      return finding.function == known.function && commonFactor(known.id) == finding.factor;
+    };
+    if (std::ranges::any_of(report.findings, shows)) named.push_back(known);
+  }
+  return named;
 }
 
 CurvesReport drawCurves(const StudentProgram& program, const std::filesystem::path& folder) {

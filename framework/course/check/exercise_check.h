@@ -20,11 +20,18 @@ struct FailedTest {
   Outcome outcome = Outcome::Wrong;
 };
 
+/// A function each of whose numbers is the same multiple of the right one (common_mistake.h).
+struct CommonFinding {
+  std::string function;
+  double factor = 1.0;
+};
+
 /// What the public tests say about a program.
 struct TestReport {
   int total = 0;
   int passed = 0;
   std::vector<FailedTest> failures;  ///< in the order of the tests
+  std::vector<CommonFinding> findings;
   std::string crash;   ///< why the program ended early; "" when it did not. The rest of the tests did not run
   std::string output;  ///< what the student's code printed; untrusted text
   Outcome outcome =
@@ -45,6 +52,10 @@ struct CurvesReport {
   std::vector<std::filesystem::path> figures;
   std::string trouble;  ///< why there are none, or not all; "" when all is well
 };
+
+/// The misconceptions of the manifest that the numbers of the public tests show as they are, in its order. None when
+/// memory was never written or the program crashed: then numbers are luck.
+std::vector<Misconception> namedMistakes(const TestReport& report, const Manifest& manifest);
 
 /// Runs the demo of a built program and draws its curves into `folder`.
 CurvesReport drawCurves(const StudentProgram& program, const std::filesystem::path& folder);

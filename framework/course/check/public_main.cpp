@@ -12,6 +12,7 @@
 #include "course/check/report_line.h"
 #include "course/check/standard_message.h"
 #include "course/testing/call_record.h"
+#include "course/testing/common_mistake.h"
 #include "course/testing/mismatch_text.h"
 #include "course/testing/never_written.h"
 #include "figures/write.h"
@@ -71,6 +72,13 @@ class ReportingListener : public testing::EmptyTestEventListener {
       if (std::string(property.key()) == "property") report("property", property.value());
     }
     report("end", result.Passed() ? "passed" : "failed");
+  }
+  void OnTestProgramEnd(const testing::UnitTest&) override {
+    for (const auto& [function, answers] : comparedAnswers()) {
+      if (const std::optional<double> factor = answers.factor()) {
+        report("factor", exactText(*factor) + " " + function);
+      }
+    }
   }
 
   /// GoogleTest wraps an exception's text in words about itself.

@@ -14,23 +14,35 @@ struct Kind {
   std::string_view sentence;
 };
 
+constexpr const char* beyondMemory = "reads or writes beyond the end of a std::vector or of memory from new";
+constexpr const char* beyondLocal = "reads or writes beyond the end of a local array or variable";
+constexpr const char* tooMuch = "asks for more memory than there is";
+
+/// The first word that is found counts: a longer one stands before its end.
 constexpr auto kinds = std::to_array<Kind>({
     {"stack-use-after-scope",
      "uses a temporary or local variable that is gone ('auto' keeps no Eigen expression's "
      "values: write Vec3 or VecX)"},
     {"stack-use-after-return", "uses a local variable of a function that has returned"},
-    {"heap-use-after-free", "uses memory that was given back"},
+    {"heap-use-after-free",
+     "uses memory that was given back: a reference or iterator into a std::vector that has grown, or a value that is "
+     "gone"},
     {"double-free", "gives memory back twice"},
     {"attempting free on address", "gives back memory that new has not given"},
-    {"stack-buffer-overflow", "reads or writes beyond the end of a local array"},
-    {"stack-buffer-underflow", "reads or writes before the beginning of a local array"},
-    {"dynamic-stack-buffer-overflow", "reads or writes beyond the end of a local array"},
-    {"heap-buffer-overflow", "reads or writes beyond the end of an array"},
-    {"global-buffer-overflow", "reads or writes beyond the end of an array"},
-    {"requested allocation size", "asks for more memory than there is"},
-    {"out of memory", "asks for more memory than there is"},
-    {"out-of-memory", "asks for more memory than there is"},
+    {"bad-free", "gives back memory that new has not given"},
+    {"stack-buffer-overflow", beyondLocal},
+    {"stack-buffer-underflow", "reads or writes before the beginning of a local array or variable"},
+    {"heap-buffer-overflow", beyondMemory},
+    {"container-overflow", beyondMemory},
+    {"global-buffer-overflow", "reads or writes beyond the end of a global array or constant"},
+    {"stack-overflow", "ran out of stack: does it call itself without end, or hold a huge local array?"},
+    {"requested allocation size", tooMuch},
+    {"allocation-size-too-big", tooMuch},
+    {"calloc-overflow", tooMuch},
+    {"out of memory", tooMuch},
+    {"out-of-memory", tooMuch},
     {"reached the end of a value-returning function", "ends without returning a value"},
+    {"missing-return", "ends without returning a value"},
 });
 
 /// "spring_3d.cpp:26" where the text first mentions a line of a student's file; "" when it does not.
@@ -54,6 +66,12 @@ std::string placeIn(std::string_view text, const std::vector<StudentFile>& files
 
 }  // namespace
 
+std::string_view sanitizerSentence(std::string_view finding) {
+  const auto kind =
+      std::ranges::find_if(kinds, [&](const Kind& k) { return finding.find(k.word) != std::string_view::npos; });
+  return kind == kinds.end() ? "" : kind->sentence;
+}
+
 std::string explainSanitizers(std::string_view output, const std::vector<StudentFile>& files) {
   if (output.find("AddressSanitizer: hard rss limit exhausted") != std::string_view::npos) {
     return fmt::format("{} used more than 1 GiB of memory", files.empty() ? "the file" : files.front().name);
@@ -64,11 +82,10 @@ std::string explainSanitizers(std::string_view output, const std::vector<Student
   const std::size_t line = start == 0 ? 0 : output.rfind('\n', start) + 1;
   const std::string_view report = output.substr(line);
   const std::string_view headline = output.substr(line, output.find('\n', start) - line);
-  const auto kind =
-      std::ranges::find_if(kinds, [&](const Kind& k) { return headline.find(k.word) != std::string_view::npos; });
-  if (kind == kinds.end()) return "";
+  const std::string_view sentence = sanitizerSentence(headline);
+  if (sentence.empty()) return "";
   const std::string place = placeIn(report, files);
-  return place.empty() ? "" : fmt::format("{} {}", place, kind->sentence);
+  return place.empty() ? "" : fmt::format("{} {}", place, sentence);
 }
 
 }  // namespace muelle

@@ -1,5 +1,7 @@
 #include "course/testing/expect.h"
 
+#include "course/testing/common_mistake.h"
+
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -40,6 +42,7 @@ Mismatch mismatchOf(const char* actualText, double tolerance) {
 
 ::testing::AssertionResult numberNear(const char* actualText, const char*, const char*, double actual, double expected,
                                       double tolerance) {
+  noteComparison(actualText, {&actual, 1}, {&expected, 1}, tolerance);
   if (near(actual, expected, tolerance)) return success();
   Mismatch mismatch = mismatchOf(actualText, tolerance);
   mismatch.got = actual;
@@ -58,6 +61,8 @@ Mismatch mismatchOf(const char* actualText, double tolerance) {
     return mismatch;
   };
   if (actual.rows() != expected.rows() || actual.cols() != expected.cols()) return failure(shaped());
+  const auto numbers = [](const MatX& m) { return std::span(m.data(), static_cast<std::size_t>(m.size())); };
+  noteComparison(actualText, numbers(actual), numbers(expected), tolerance);
   for (Eigen::Index col = 0; col < expected.cols(); ++col) {
     for (Eigen::Index row = 0; row < expected.rows(); ++row) {
       if (near(actual(row, col), expected(row, col), tolerance)) continue;

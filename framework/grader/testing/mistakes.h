@@ -7,7 +7,13 @@
 ///     });
 ///
 /// The id stands in exercise.toml with what is said to the student.
+///
+/// A mistake that every exercise may have (common_mistake.h: the wrong sign, half, twice) needs no function, and
+/// `check` names it too:
+///
+///     MUELLE_COMMON_MISTAKE(springForce, wrong_sign);
 
+#include "course/testing/common_mistake.h"
 #include "grader/testing/call_history.h"
 
 namespace muelle::grader {
@@ -22,8 +28,18 @@ struct MistakeRegistration {
   }
 };
 
+/// What the oracle returns, times the factor of a common mistake. Throws std::bad_optional_access for an id that is
+/// none.
+template <class Result, class... Args>
+auto commonMistake(Result (*oracle)(Args...), const char* id) {
+  return [oracle, factor = commonFactor(id).value()](Args... args) { return Result(factor * oracle(args...)); };
+}
+
 }  // namespace muelle::grader
 
 #define MUELLE_MISTAKE(function, id, ...)                                                                              \
   [[maybe_unused]] static const ::muelle::grader::MistakeRegistration<decltype(::function)> mistake_##function##_##id( \
       #function, #id, &::oracle::function, __VA_ARGS__)
+
+#define MUELLE_COMMON_MISTAKE(function, id) \
+  MUELLE_MISTAKE(function, id, ::muelle::grader::commonMistake(&::oracle::function, #id))

@@ -72,6 +72,26 @@ TEST_F(Check, AWrongNumberIsACallToPaste) {
             "    component 0: got 3, expected 2 (difference 1, tolerance 1e-12)\n");
 }
 
+TEST_F(Check, AMistakeThatTheNumbersShowIsNamedInTheManifestsWords) {
+  Misconception sign;
+  sign.id = "wrong_sign";
+  sign.function = "twice";
+  Misconception halved;
+  halved.id = "halved";
+  halved.function = "twice";
+  manifest_.misconceptions = {sign, halved};
+  const auto named = [this](const std::string& source) {
+    std::string ids;
+    for (const Misconception& mistake : namedMistakes(run(source), manifest_)) ids += mistake.id + " ";
+    return ids;
+  };
+  EXPECT_EQ(named("Vec3 twice(const Vec3& x) { return -2 * x; }\n" + entry), "wrong_sign ");
+  EXPECT_EQ(named("Vec3 twice(const Vec3& x) { return x; }\n" + entry), "halved ");
+  EXPECT_EQ(named("Vec3 twice(const Vec3& x) { return -x; }\n" + entry), "");
+  EXPECT_EQ(named(twice + entry), "");
+  EXPECT_EQ(named("Vec3 twice(const Vec3&) { Vec3 y; return y; }\n" + entry), "") << "never written: numbers are luck";
+}
+
 TEST_F(Check, ANumberThatIsOffArrivesAsANumber) {
   const TestReport report = run("Vec3 twice(const Vec3& x) { return Vec3(x[0] / 0.0, 0, 0); }\n" + entry);
   ASSERT_EQ(report.failures.size(), 1U);

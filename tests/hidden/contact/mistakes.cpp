@@ -62,10 +62,7 @@ std::vector<double> loads(const std::vector<double>& m, double g) {
 
 }  // namespace
 
-MUELLE_MISTAKE(planeContact, plane_wrong_sign,
-               [](const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
-                 return Vec3(-oracle::planeContact(x, v, p, n, k, d));
-               });
+MUELLE_COMMON_MISTAKE(planeContact, plane_wrong_sign);
 MUELLE_MISTAKE(planeContact, plane_depth_sign,
                [](const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
                  Geometry at = ofPlane(x, v, p, n);
@@ -227,9 +224,7 @@ MUELLE_MISTAKE(columnAtRest, column_bottom_alone,
                  return column(m[0] * g, loads(m, g), k, L0, kPlane);
                });
 
-MUELLE_MISTAKE(frictionForce, friction_wrong_sign, [](const Vec3& v, const Vec3& n, double N, double mu, double c) {
-  return Vec3(-oracle::frictionForce(v, n, N, mu, c));
-});
+MUELLE_COMMON_MISTAKE(frictionForce, friction_wrong_sign);
 MUELLE_MISTAKE(frictionForce, friction_total_velocity, [](const Vec3& v, const Vec3&, double N, double mu, double c) {
   return v.norm() > 0.0 ? Vec3(-std::min(mu * N, c * v.norm()) * v.normalized()) : Vec3(Vec3::Zero());
 });

@@ -12,26 +12,21 @@ Vec3 zeroBelow(double shortest, const Vec3& xa, const Vec3& xb, const Vec3& va, 
 
 }  // namespace
 
-MUELLE_MISTAKE(nodeDamping, node_wrong_sign, [](const Vec3& va, double d) { return Vec3(d * va); });
+MUELLE_COMMON_MISTAKE(nodeDamping, node_wrong_sign);
 MUELLE_MISTAKE(nodeDamping, node_d_missing, [](const Vec3& va, double) { return Vec3(-va); });
 MUELLE_MISTAKE(nodeDamping, node_quadratic, [](const Vec3& va, double d) { return Vec3(-d * va.norm() * va); });
 MUELLE_MISTAKE(nodeDamping, node_constant_size, [](const Vec3& va, double d) { return Vec3(-d * va.normalized()); });
 
-MUELLE_MISTAKE(relativeDamping, relative_wrong_sign,
-               [](const Vec3& va, const Vec3& vb, double d) { return Vec3(-oracle::relativeDamping(va, vb, d)); });
+MUELLE_COMMON_MISTAKE(relativeDamping, relative_wrong_sign);
 MUELLE_MISTAKE(relativeDamping, relative_d_missing,
                [](const Vec3& va, const Vec3& vb, double) { return Vec3(vb - va); });
 MUELLE_MISTAKE(relativeDamping, relative_ignores_b,
                [](const Vec3& va, const Vec3&, double d) { return Vec3(-d * va); });
 MUELLE_MISTAKE(relativeDamping, relative_adds,
                [](const Vec3& va, const Vec3& vb, double d) { return Vec3(-d * (va + vb)); });
-MUELLE_MISTAKE(relativeDamping, relative_half,
-               [](const Vec3& va, const Vec3& vb, double d) { return Vec3(-0.5 * d * (va - vb)); });
+MUELLE_COMMON_MISTAKE(relativeDamping, relative_half);
 
-MUELLE_MISTAKE(projectedDamping, projected_wrong_sign,
-               [](const Vec3& xa, const Vec3& xb, const Vec3& va, const Vec3& vb, double d) {
-                 return Vec3(-oracle::projectedDamping(xa, xb, va, vb, d));
-               });
+MUELLE_COMMON_MISTAKE(projectedDamping, projected_wrong_sign);
 MUELLE_MISTAKE(projectedDamping, projected_d_missing,
                [](const Vec3& xa, const Vec3& xb, const Vec3& va, const Vec3& vb, double) {
                  return oracle::projectedDamping(xa, xb, va, vb, 1.0);

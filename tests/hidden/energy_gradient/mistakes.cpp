@@ -34,8 +34,7 @@ MUELLE_MISTAKE(springEnergy1d, signed_length_reversed, [](const Vec2& x, double 
   const double L = x[1] - x[0];
   return 0.5 * k * (L - L0) * (L - L0);
 });
-MUELLE_MISTAKE(springEnergy1d, missing_half,
-               [](const Vec2& x, double k, double L0) { return 2 * oracle::springEnergy1d(x, k, L0); });
+MUELLE_COMMON_MISTAKE(springEnergy1d, missing_half);
 MUELLE_MISTAKE(springEnergy1d, missing_rest_length,
                [](const Vec2& x, double k, double) { return oracle::springEnergy1d(x, k, 0); });
 
@@ -47,8 +46,7 @@ MUELLE_MISTAKE(springEnergy1d, energy_lost_when_coincident, [](const Vec2& x, do
   return x[0] == x[1] ? 0.0 : oracle::springEnergy1d(x, k, L0);
 });
 
-MUELLE_MISTAKE(springEnergy, missing_half,
-               [](const Vec6& x, double k, double L0) { return 2 * oracle::springEnergy(x, k, L0); });
+MUELLE_COMMON_MISTAKE(springEnergy, missing_half);
 MUELLE_MISTAKE(springEnergy, missing_rest_length,
                [](const Vec6& x, double k, double) { return oracle::springEnergy(x, k, 0); });
 MUELLE_MISTAKE(springEnergy, not_squared,
@@ -86,8 +84,7 @@ MUELLE_MISTAKE(energyGradient, not_normalised,
                [](const Vec6& x, double k, double L0) { return opposite(k * (length(x) - L0) * difference(x)); });
 MUELLE_MISTAKE(energyGradient, missing_rest_length,
                [](const Vec6& x, double k, double) { return opposite(k * difference(x)); });
-MUELLE_MISTAKE(energyGradient, half_kept,
-               [](const Vec6& x, double k, double L0) { return Vec6(0.5 * oracle::energyGradient(x, k, L0)); });
+MUELLE_COMMON_MISTAKE(energyGradient, half_kept);
 MUELLE_MISTAKE(energyGradient, gradient_of_squared_length,
                [](const Vec6& x, double k, double L0) { return opposite(2 * k * (length(x) - L0) * difference(x)); });
 MUELLE_MISTAKE(energyGradient, not_differentiated,
@@ -109,8 +106,7 @@ MUELLE_MISTAKE(springForces, not_normalised,
                [](const Vec6& x, double k, double L0) { return opposite(-k * (length(x) - L0) * difference(x)); });
 MUELLE_MISTAKE(springForces, missing_rest_length,
                [](const Vec6& x, double k, double) { return opposite(-k * difference(x)); });
-MUELLE_MISTAKE(springForces, half_kept,
-               [](const Vec6& x, double k, double L0) { return Vec6(0.5 * oracle::springForces(x, k, L0)); });
+MUELLE_COMMON_MISTAKE(springForces, half_kept);
 MUELLE_MISTAKE(springForces, gradient_of_squared_length,
                [](const Vec6& x, double k, double L0) { return opposite(-2 * k * (length(x) - L0) * difference(x)); });
 MUELLE_MISTAKE(springForces, threshold, [](const Vec6& x, double k, double L0) {

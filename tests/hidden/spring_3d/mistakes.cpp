@@ -14,9 +14,7 @@ const double notANumber = std::numeric_limits<double>::quiet_NaN();
 
 // springForceMagnitude
 
-MUELLE_MISTAKE(springForceMagnitude, wrong_sign, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
-  return -oracle::springForceMagnitude(xa, xb, k, L0);
-});
+MUELLE_COMMON_MISTAKE(springForceMagnitude, wrong_sign);
 MUELLE_MISTAKE(springForceMagnitude, unsigned_deformation, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
   return std::abs(oracle::springForceMagnitude(xa, xb, k, L0));
 });
@@ -33,17 +31,14 @@ MUELLE_MISTAKE(springForceMagnitude, squared_length, [](const Vec3& xa, const Ve
 MUELLE_MISTAKE(springForceMagnitude, relative_deformation, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
   return oracle::springForceMagnitude(xa, xb, k, L0) / L0;
 });
-MUELLE_MISTAKE(springForceMagnitude, halved, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
-  return oracle::springForceMagnitude(xa, xb, k, L0) / 2;
-});
+MUELLE_COMMON_MISTAKE(springForceMagnitude, halved);
 MUELLE_MISTAKE(springForceMagnitude, missing_stiffness, [](const Vec3& xa, const Vec3& xb, double, double L0) {
   return oracle::springForceMagnitude(xa, xb, 1.0, L0);
 });
 
 // springDirection
 
-MUELLE_MISTAKE(springDirection, wrong_sign,
-               [](const Vec3& xa, const Vec3& xb) { return oracle::springDirection(xb, xa); });
+MUELLE_COMMON_MISTAKE(springDirection, wrong_sign);
 MUELLE_MISTAKE(springDirection, not_normalised, [](const Vec3& xa, const Vec3& xb) { return Vec3(xa - xb); });
 MUELLE_MISTAKE(springDirection, squared_length, [](const Vec3& xa, const Vec3& xb) {
   return xa == xb ? Vec3(0, 0, 0) : Vec3((xa - xb) / (xa - xb).squaredNorm());

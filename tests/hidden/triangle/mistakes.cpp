@@ -60,8 +60,7 @@ MUELLE_MISTAKE(massMatrix, mass_once_per_node, [](const Vec3& m) {
 MUELLE_MISTAKE(massMatrix, inverse_mass_matrix,
                [](const Vec3& m) { return oracle::massMatrix(Vec3(m.cwiseInverse())); });
 
-MUELLE_MISTAKE(triangleEnergy, missing_half,
-               [](const Vec9& x, const Vec3& k, const Vec3& L0) { return 2 * oracle::triangleEnergy(x, k, L0); });
+MUELLE_COMMON_MISTAKE(triangleEnergy, missing_half);
 MUELLE_MISTAKE(triangleEnergy, missing_rest_length,
                [](const Vec9& x, const Vec3& k, const Vec3&) { return oracle::triangleEnergy(x, k, Vec3::Zero()); });
 MUELLE_MISTAKE(triangleEnergy, difference_of_squares, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
@@ -93,16 +92,13 @@ MUELLE_MISTAKE(triangleEnergy, energy_lost_when_coincident, [](const Vec9& x, co
   return E;
 });
 
-MUELLE_MISTAKE(triangleForce, wrong_sign,
-               [](const Vec9& x, const Vec3& k, const Vec3& L0) { return Vec9(-oracle::triangleForce(x, k, L0)); });
+MUELLE_COMMON_MISTAKE(triangleForce, wrong_sign);
 MUELLE_MISTAKE(triangleForce, missing_rest_length,
                [](const Vec9& x, const Vec3& k, const Vec3&) { return oracle::triangleForce(x, k, Vec3::Zero()); });
 MUELLE_MISTAKE(triangleForce, not_normalised, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   return assembled([&](int s) { return Vec3(-k[s] * (length(x, s) - L0[s]) * difference(x, s)); });
 });
-MUELLE_MISTAKE(triangleForce, half_kept, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
-  return Vec9(0.5 * oracle::triangleForce(x, k, L0));
-});
+MUELLE_COMMON_MISTAKE(triangleForce, half_kept);
 MUELLE_MISTAKE(triangleForce, gradient_of_squared_length, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   return assembled([&](int s) { return Vec3(-2 * k[s] * (length(x, s) - L0[s]) * difference(x, s)); });
 });
