@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <exception>
 
 namespace muelle {
@@ -22,6 +23,9 @@ constexpr int reportDescriptor = 3;
 constexpr long tickMilliseconds = 100;
 constexpr long callLimitMilliseconds = 2000;    // of processor time: a busy machine costs nobody anything
 constexpr long totalLimitMilliseconds = 10000;  // of processor time, too
+
+constexpr int asleepLimitSeconds = 10;
+constexpr std::clock_t nothing = CLOCKS_PER_SEC / 1000;  // of processor time in a second: what a look itself takes
 
 int report = STDERR_FILENO;
 char alternateStack[65536];
@@ -113,6 +117,20 @@ void onTick(int) {
   }
 }
 
+/// Every second of wall time: a call that is looked at again and again, and has done nothing in between, sleeps for
+/// ever. On a busy machine, or stopped, the process is not looked at either.
+void onLook(int) {
+  static long seenCount = -1;
+  static std::clock_t seenClock = 0;
+  static int asleep = 0;
+  const std::clock_t now = std::clock();
+  const bool sameCall = CallRecord::current() != nullptr && CallRecord::count() == seenCount;
+  asleep = sameCall && now - seenClock < nothing ? asleep + 1 : 0;
+  seenCount = CallRecord::count();
+  seenClock = now;
+  if (asleep >= asleepLimitSeconds) sayAndEnd("waits without end for something that never comes");
+}
+
 void onTerminate() {
   static char sentence[600] = "threw an exception that nobody caught";
   if (const std::exception_ptr exception = std::current_exception()) {
@@ -141,14 +159,18 @@ void handle(int signal, void (*handler)(int, siginfo_t*, void*)) {
   sigaction(signal, &action, nullptr);
 }
 
-void startClock() {
+void startTimer(int which, int signal, void (*handler)(int), const timeval& interval) {
   struct sigaction action {};
-  action.sa_handler = onTick;
+  action.sa_handler = handler;
   action.sa_flags = SA_ONSTACK | SA_RESTART;
-  sigaction(SIGPROF, &action, nullptr);
-  const timeval tick{0, tickMilliseconds * 1000};
-  const itimerval timer{tick, tick};
-  setitimer(ITIMER_PROF, &timer, nullptr);
+  sigaction(signal, &action, nullptr);
+  const itimerval timer{interval, interval};
+  setitimer(which, &timer, nullptr);
+}
+
+void startClocks() {
+  startTimer(ITIMER_PROF, SIGPROF, onTick, {0, tickMilliseconds * 1000});
+  startTimer(ITIMER_REAL, SIGALRM, onLook, {1, 0});
 }
 
 }  // namespace
@@ -187,7 +209,7 @@ void watchForCrashes() {
   CallRecord::current() = nullptr;
   CallRecord::printsArguments() = true;
   std::atexit(onExit);
-  startClock();
+  startClocks();
 }
 
 }  // namespace muelle

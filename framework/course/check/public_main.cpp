@@ -95,7 +95,11 @@ class ReportingListener : public testing::EmptyTestEventListener {
   }
 
  public:
-  static void report(std::string_view kind, std::string_view text) { writeReport(reportLine(kind, text)); }
+  /// What is longer than anybody reads is cut: the report has a bound.
+  static void report(std::string_view kind, std::string_view text) {
+    constexpr std::size_t longest = 8192;
+    writeReport(reportLine(kind, text.substr(0, longest)));
+  }
   /// The text of the latest EigenMisuse: GoogleTest keeps only the text of an exception.
   static std::string& lastMisuse() {
     static std::string text;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace muelle {
 
@@ -172,6 +173,7 @@ constexpr auto functions = std::to_array<Unneeded>({
     {"posix_spawnp", "", programs},
     {"wait", "", programs},
     {"waitpid", "", programs},
+    {"pthread_exit", "", threads},
     {"pthread_create", "", threads},
     {"thrd_create", "", threads},
     {"socket", "", network},
@@ -290,6 +292,20 @@ const Unneeded* unneeded(std::string_view symbol) {
   return function != functions.end() ? &*function : nullptr;
 }
 
+/// Names that others look up in the program that a student's file becomes part of; those of C++ carry their types and
+/// begin otherwise.
+constexpr auto ofTheCourse = std::to_array<std::string_view>({"muelle"});
+constexpr auto ofSanitizers =
+    std::to_array<std::string_view>({"__asan_", "__ubsan_", "__lsan_", "__tsan_", "__msan_", "__sanitizer_"});
+
+/// The first symbol that begins with one of the names; "" when none does.
+std::string firstOf(const std::vector<std::string>& symbols, std::span<const std::string_view> beginnings) {
+  const auto found = std::ranges::find_if(symbols, [beginnings](const std::string& symbol) {
+    return std::ranges::any_of(beginnings, [&](std::string_view beginning) { return symbol.starts_with(beginning); });
+  });
+  return found == symbols.end() ? "" : *found;
+}
+
 void addOnce(std::vector<std::string>& names, std::string_view name) {
   if (std::ranges::find(names, name) == names.end()) names.emplace_back(name);
 }
@@ -322,6 +338,12 @@ Symbols readSymbols(std::string_view nmText) {
 SymbolVerdict judgeSymbols(const Symbols& symbols) {
   if (std::ranges::find(symbols.defined, "main") != symbols.defined.end()) {
     return {Outcome::Link, "your file defines main: leave it out"};
+  }
+  if (const std::string name = firstOf(symbols.defined, ofTheCourse); !name.empty()) {
+    return {Outcome::Link, fmt::format("{} is defined in your file: the course has a function of that name", name)};
+  }
+  if (const std::string name = firstOf(symbols.defined, ofSanitizers); !name.empty()) {
+    return {Outcome::Forbidden, fmt::format("it defines {}, which is for the sanitizers to define", name)};
   }
   for (const std::string& symbol : symbols.undefined) {
     if (const Unneeded* found = unneeded(symbol)) {

@@ -251,6 +251,25 @@ TEST_F(Check, WhatIsNoTextIsRefused) {
   EXPECT_EQ(program.message, "fixture_spring.cpp is larger than 256 KiB");
 }
 
+TEST_F(Check, WhatWaitsForEverIsNamed) {
+  const std::string locks =
+      "#include <mutex>\nVec3 twice(const Vec3& x) { static std::mutex m; m.lock(); m.lock(); return 2 * x; }\n";
+  const TestReport report = run(locks + entry);
+  EXPECT_EQ(report.outcome, Outcome::Crash);
+  ASSERT_FALSE(report.failures.empty());
+  EXPECT_EQ(report.failures.front().messages.front(), "twice waits without end for something that never comes");
+}
+
+TEST_F(Check, AnExceptionOfAMegabyteIsCut) {
+  const TestReport report =
+      run("#include <stdexcept>\nVec3 twice(const Vec3&) { throw std::runtime_error(std::string(1 << 20, 'x')); }\n" +
+          entry);
+  EXPECT_EQ(report.outcome, Outcome::Wrong);
+  EXPECT_EQ(report.passed, 1);
+  ASSERT_EQ(report.failures.size(), 1U);
+  EXPECT_LT(report.failures[0].messages.front().size(), 10'000U);
+}
+
 TEST_F(Check, EndlessRecursionIsNamed) {
   EXPECT_EQ(
       firstMessage(twice + "double entry(const std::vector<double>& list, int i) { return 1 + entry(list, i); }\n"),

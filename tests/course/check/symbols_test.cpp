@@ -43,5 +43,16 @@ TEST(Symbols, AFunctionOfTheStudentsOwnIsNoOneElses) {
   EXPECT_EQ(judge("read T 0 4\n_Z4openv U\n").outcome, Outcome::Passed);
 }
 
+TEST(JudgeSymbols, RefusesNamesThatOthersLookUp) {
+  const SymbolVerdict own = judgeSymbols(readSymbols("muelleServe T 0 5\n_Z10lumpedMassdi T 10 20\n"));
+  EXPECT_EQ(own.outcome, Outcome::Link);
+  EXPECT_EQ(own.message, "muelleServe is defined in your file: the course has a function of that name");
+  const SymbolVerdict hook = judgeSymbols(readSymbols("__asan_on_error T 0 5\n"));
+  EXPECT_EQ(hook.outcome, Outcome::Forbidden);
+  EXPECT_EQ(hook.message, "it defines __asan_on_error, which is for the sanitizers to define");
+  // Those of the harness, and what a sanitised object takes from elsewhere.
+  EXPECT_EQ(judgeSymbols(readSymbols("_ZN6muelle5node3E W 0 5\n__asan_init U\n")).outcome, Outcome::Passed);
+}
+
 }  // namespace
 }  // namespace muelle
