@@ -335,6 +335,18 @@ Symbols readSymbols(std::string_view nmText) {
   return symbols;
 }
 
+std::string symbolRules() {
+  std::string rules;
+  const auto addAll = [&rules](const auto& table) {
+    for (const Unneeded& u : table) rules += fmt::format("{} {} {}\n", u.symbol, u.shown, u.sentence);
+  };
+  addAll(parts);
+  addAll(functions);
+  for (const std::string_view name : ofTheCourse) rules += fmt::format("{}\n", name);
+  for (const std::string_view name : ofSanitizers) rules += fmt::format("{}\n", name);
+  return rules;
+}
+
 SymbolVerdict judgeSymbols(const Symbols& symbols) {
   if (std::ranges::find(symbols.defined, "main") != symbols.defined.end()) {
     return {Outcome::Link, "your file defines main: leave it out"};

@@ -26,6 +26,9 @@ struct SymbolVerdict {
   std::string message;                ///< one sentence that names the cause; "" when passed
 };
 
+/// All that judgeSymbols() goes by, as text: a key of what it has judged holds it, so that a new rule judges again.
+std::string symbolRules();
+
 /// The first thing that stands against the file. main comes before what it may use.
 SymbolVerdict judgeSymbols(const Symbols& symbols);
 

@@ -1,6 +1,7 @@
 #include "grader/run/keys.h"
 
 #include "base/file.h"
+#include "course/check/symbols.h"
 #include "grader/run/compile.h"
 #include "grader/run/digest.h"
 
@@ -42,7 +43,7 @@ std::string objectKey(const Workplace& workplace, const Manifest& manifest, cons
   for (const VisibleFile& header : compilersView(workplace, manifest)) headers += digestOf(header.source);
   return digest({"object 2", manifest.topic, digestOfSources(sources), headers,
                  compileScript(workplace, sources, sandbox), compilerIdentity(workplace), toText(sandbox),
-                 workplace.judgesSymbols ? "judged" : "unjudged"});
+                 workplace.judgesSymbols ? symbolRules() : "unjudged"});
 }
 
 std::string verdictKey(const Workplace& workplace, const Manifest& manifest, const Criterion& criterion,

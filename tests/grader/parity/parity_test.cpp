@@ -57,10 +57,11 @@ std::vector<fs::path> submissions() {
   const fs::path corpus = source / "tests" / "submissions";
   const CorpusShare taken(corpus, share());
   std::vector<fs::path> folders;
-  for (const fs::path& folder : submissionsIn(corpus)) {
-    const bool isPart =
-        folder.parent_path().parent_path().filename() == "hostile";  // one that brings folders of its own
-    if (!isPart && !isExcepted(folder) && taken.takes(folder)) folders.push_back(folder);
+  for (fs::path folder : submissionsIn(corpus)) {
+    const bool isPart = folder.parent_path().parent_path().filename() == "hostile";
+    if (isPart) folder = folder.parent_path();  // a submission that brings folders of its own
+    const bool isKnown = !folders.empty() && folders.back() == folder;
+    if (!isKnown && !isExcepted(folder) && (isPart || taken.takes(folder))) folders.push_back(folder);
   }
   for (const fs::path& folder : submissionsIn(source / "solutions")) folders.push_back(folder);
   return folders;
