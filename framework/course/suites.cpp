@@ -19,13 +19,6 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-void count(std::vector<TestSuite>& suites, std::string_view suite, std::string_view test) {
-  const bool runs = !suite.starts_with(disabled) && !test.starts_with(disabled);
-  auto known = std::ranges::find(suites, suite, &TestSuite::name);
-  if (known == suites.end()) known = suites.insert(suites.end(), TestSuite{std::string(suite), 0});
-  if (runs) ++known->tests;
-}
-
 std::vector<std::string> namesOf(const std::vector<TestSuite>& suites) {
   std::vector<std::string> names;
   for (const TestSuite& suite : suites) names.push_back(suite.name);
@@ -58,6 +51,13 @@ std::vector<std::string> ofSuites(const Manifest& manifest, const std::vector<Te
 
 }  // namespace
 
+void countTest(std::vector<TestSuite>& suites, std::string_view suite, std::string_view test) {
+  const bool runs = !suite.starts_with(disabled) && !test.starts_with(disabled);
+  auto known = std::ranges::find(suites, suite, &TestSuite::name);
+  if (known == suites.end()) known = suites.insert(suites.end(), TestSuite{std::string(suite), 0});
+  if (runs) ++known->tests;
+}
+
 std::vector<TestSuite> suitesInSource(std::string_view source) {
   constexpr auto macros = std::to_array<std::string_view>({"TEST(", "TEST_F(", "TEST_P("});
   std::vector<TestSuite> suites;
@@ -69,8 +69,8 @@ std::vector<TestSuite> suitesInSource(std::string_view source) {
       // The two names may stand on two lines.
       const std::string_view arguments = source.substr(macro->size(), source.find(')') - macro->size());
       const std::size_t comma = std::min(arguments.find(','), arguments.size());
-      count(suites, trimmed(arguments.substr(0, comma)),
-            trimmed(arguments.substr(std::min(comma + 1, arguments.size()))));
+      countTest(suites, trimmed(arguments.substr(0, comma)),
+                trimmed(arguments.substr(std::min(comma + 1, arguments.size()))));
     }
     source.remove_prefix(std::min(end + 1, source.size()));
   }

@@ -13,6 +13,10 @@ struct TestSuite {
   int tests = 0;  ///< that run: those that are disabled do not count
 };
 
+/// Adds a test to its suite, which it appends when it is new. One that is disabled, by its name or its suite's, makes
+/// the suite known and does not count.
+void countTest(std::vector<TestSuite>& suites, std::string_view suite, std::string_view test);
+
 /// The suites of a source, in the order of their first test: TEST(Suite, Name), TEST_F, TEST_P.
 std::vector<TestSuite> suitesInSource(std::string_view source);
 
