@@ -33,11 +33,23 @@ database_sources() {
   sed -n 's/^  "file": "\(.*\)",\{0,1\}$/\1/p' build-plain/compile_commands.json | sed "s|^$PWD/||" | sort -u
 }
 
-# Sources that the last 30 commits touched; with --all every one.
-chosen_sources() {
+# Sources of the rooms that everyone gets.
+handed_out_rooms() {
+  find framework/base framework/harness framework/figures framework/course framework/app \
+    -path framework/app/instructor -prune -o -name '*.cpp' -print
+}
+
+# What clang-tidy reads: the sources of the framework that the last 30 commits touched, with --all every one. Tests are
+# mostly GoogleTest's macros, which it takes for faults.
+tidy_sources() {
   if [[ $share == all ]]; then
-    database_sources
+    database_sources | grep '^framework/'
   else
-    comm -12 <(database_sources) <(git log -30 --format= --name-only | sort -u)
+    comm -12 <(database_sources) <(git log -30 --format= --name-only | sort -u) | grep '^framework/' || true
   fi
+}
+
+# The folder of Eigen that CMake found.
+eigen_folder() {
+  grep -o -m 1 -- '-isystem [^ ]*eigen3' build-plain/compile_commands.json | cut -d' ' -f2
 }

@@ -1,17 +1,26 @@
 #!/usr/bin/env bash
-# Every source compiles without the precompiled header: g++'s syntax pass over the compile database.
+# The code compiles without precompiled header: g++'s syntax pass. Unless --all, over what neither clang.sh nor tidy.sh
+# reads, which do without the header, too.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
-begin "every source through g++ without precompiled header, syntax only"
+begin "the code through g++ without precompiled header, syntax only"
 plain_tree
 
-# Commands of the database as shell lines, one for each source: a second one differs in definitions alone.
+sources() {
+  if [[ $share == all ]]; then
+    database_sources
+  else
+    comm -23 <(database_sources) <({ handed_out_rooms; tidy_sources; } | sort -u)
+  fi
+}
+
+# Commands of the database as shell lines, one a source: a second one differs in definitions alone.
 commands() {
-  sed -n 's/^  "command": "\(.*\)",$/\1/p' build-plain/compile_commands.json | sed 's/\\\(["\\]\)/\1/g' |
-    awk '!seen[$NF]++'
+  sed -n 's/^  "command": "\(.*\)",\{0,1\}$/\1/p' build-plain/compile_commands.json | sed 's/\\\(["\\]\)/\1/g' |
+    awk -v root="$PWD/" 'NR == FNR { wanted[root $0]; next } ($NF in wanted) && !seen[$NF]++' <(sources) -
 }
 
 commands | tr '\n' '\0' | xargs -0 -P "$jobs" -n 1 bash -c '
   cd build-plain
-  line="${1/ -o * -c / -fsyntax-only -O0 }"
-  eval "$line" || { echo "plain.sh: ${1##* } does not compile without precompiled header" >&2; exit 1; }
+  eval "${1/ -o * -c / -fsyntax-only -O0 }" ||
+    { echo "plain.sh: ${1##* } does not compile without precompiled header" >&2; exit 1; }
 ' _

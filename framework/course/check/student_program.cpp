@@ -56,7 +56,7 @@ std::string fingerprintOf(const std::vector<fs::path>& files) {
 class Builder {
  public:
   Builder(const Manifest& manifest, const std::vector<fs::path>& sources, const CheckFolders& folders)
-      : topic_(manifest.topic), sources_(sources), folders_(folders) {
+      : topic_(manifest.topic), sources_(sources) {
     for (const fs::path& source : sources_) read(source);
     contract_ = folders.exercises / topic_ / (topic_ + ".h");
     parts_ = folders.build / "check" / (topic_ + ".parts");
@@ -257,7 +257,6 @@ class Builder {
 
   std::string topic_;
   std::vector<fs::path> sources_;
-  const CheckFolders& folders_;
   std::vector<StudentFile> students_;
   fs::path contract_;
   fs::path parts_;

@@ -170,7 +170,7 @@ Curves drawCurves(const Workplace& workplace, const Store& store, const Candidat
     command.insert(command.end(), {"--figures", figures.string()});
     const Verdict verdict = runHiddenProgram(workplace, candidate, curvesSuite, std::move(command), folder.path());
     if (!verdict.graderFault.empty()) return {{}, "the curves could not be drawn: " + verdict.graderFault};
-    const Curves curves{readSvgs(figures), verdict.fault};
+    Curves curves{readSvgs(figures), verdict.fault};
     const bool isCertain = verdict.outcome != Outcome::Killed && verdict.outcome != Outcome::Wall;
     if (isCertain) {
       store.write(curvesKey(workplace, candidate.manifest, candidate.objectKey, options), curvesSuffix, toText(curves));
