@@ -52,7 +52,7 @@ int gradeSubmission(const GradeCommand& command) {
   grader::Submission submission = grader.take(command.submission);
   ProgressBar bar("grading");
   grader.onProgress([&] { bar.update(static_cast<double>(grader.finished()) / std::max(1, grader.known())); });
-  const grader::GradedSubmission graded = grader::grade(grader, std::move(submission), jobsOf(command));
+  const grader::GradedSubmission graded = grader::grade(grader, submission, jobsOf(command));
 
   const fs::path folder = command.out.empty() ? grader::reportFolder("out", command.submission) : fs::path(command.out);
   grader::writeReports(graded, folder);

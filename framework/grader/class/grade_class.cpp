@@ -49,7 +49,7 @@ class Grading {
     try {
       Submission submission = grader_.take(entry.path);
       submission.name = entry.student;
-      grader_.add(pool_, std::move(submission),
+      grader_.add(pool_, submission,
                   [this, i, path = entry.path](GradedSubmission graded) { finish(i, path, std::move(graded)); });
     } catch (const std::exception& error) {
       row.trouble = error.what();

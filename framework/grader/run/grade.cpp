@@ -86,7 +86,7 @@ Submission Grader::take(const std::filesystem::path& path) const {
   return takeSubmission(path, wholeCourse_, {}, only);
 }
 
-void Grader::add(Pool& pool, Submission submission, std::function<void(GradedSubmission)> done) {
+void Grader::add(Pool& pool, const Submission& submission, std::function<void(GradedSubmission)> done) {
   const auto unfinished = std::make_shared<Unfinished>();
   unfinished->done = std::move(done);
   GradedSubmission& graded = unfinished->graded;
@@ -148,10 +148,10 @@ Grader openGrader(const Workplace& workplace, GradeOptions options, const std::v
   return {workplace, std::move(course), std::move(options), std::move(sandbox), all};
 }
 
-GradedSubmission grade(Grader& grader, Submission submission, int jobs) {
+GradedSubmission grade(Grader& grader, const Submission& submission, int jobs) {
   GradedSubmission result;
   Pool pool(jobs);
-  grader.add(pool, std::move(submission), [&result](GradedSubmission graded) { result = std::move(graded); });
+  grader.add(pool, submission, [&result](GradedSubmission graded) { result = std::move(graded); });
   pool.run();
   grader.prune();
   return result;

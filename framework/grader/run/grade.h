@@ -33,7 +33,7 @@ class Grader {
   Submission take(const std::filesystem::path& path) const;
 
   /// Adds the grading of a submission to the pool. `done` is called once, in a task of the pool, with the result.
-  void add(Pool& pool, Submission submission, std::function<void(GradedSubmission)> done);
+  void add(Pool& pool, const Submission& submission, std::function<void(GradedSubmission)> done);
 
   /// The same for one exercise.
   /// \param sources null: there is nothing to build, and `otherwise` says why
@@ -74,6 +74,6 @@ class Grader {
 Grader openGrader(const Workplace& workplace, GradeOptions options, const std::vector<std::string>& only = {});
 
 /// Grades one submission with so many tasks at a time.
-GradedSubmission grade(Grader& grader, Submission submission, int jobs);
+GradedSubmission grade(Grader& grader, const Submission& submission, int jobs);
 
 }  // namespace muelle::grader

@@ -19,7 +19,7 @@ using namespace muelle;
 /// The list of what a student's file is linked with is all that check reads there.
 CheckFolders foldersIn(const fs::path& scratch, const std::string& topic) {
   CheckFolders folders = checkFolders();
-  const fs::path list = fs::path("check") / (topic + ".rsp");
+  const fs::path list = fs::path("check") / (topic + ".parts");
   fs::create_directories(scratch / "check");
   fs::copy_file(folders.build / list, scratch / list, fs::copy_options::overwrite_existing);
   folders.build = scratch;
