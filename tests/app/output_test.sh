@@ -11,9 +11,10 @@ cd "$scratch" || exit 1
 failures=0
 export MUELLE_KEPT="$scratch/kept"  # `clean` must not forget what others have graded
 
-answer="$source/solutions/spring_1d/spring_1d.cpp"
-mkdir -p class/one/spring_1d
-cp "$answer" class/one/spring_1d/
+topic="$(ls "$source/solutions" | head -n 1)"
+answer="$source/solutions/$topic/$topic.cpp"
+mkdir -p class/one/$topic
+cp "$answer" class/one/$topic/
 
 # A pipe whose reader has gone.
 mkfifo pipe
@@ -46,10 +47,10 @@ try list
 try list --help
 try check --help
 try test --list
-try check spring_1d --file "$answer" --no-plot
+try check "$topic" --file "$answer" --no-plot
 if [[ -x "$bin/muelle-grade-step" ]]; then
-  try grade "$source/solutions" --only spring_1d --sandbox unsafe
-  try grade --class class --only spring_1d --sandbox unsafe
+  try grade "$source/solutions" --only "$topic" --sandbox unsafe
+  try grade --class class --only "$topic" --sandbox unsafe
   try clean
   try test-the-tests --help
 fi
@@ -62,7 +63,7 @@ if [[ -x "$bin/muelle-figures" ]]; then try figures --list; fi
 if [[ -x "$bin/muelle-hard-cases" ]]; then try hard-cases --help; fi
 
 # Each closed stream has a stand-in: what is opened later must not get its number and be written to.
-"$muelle" check spring_1d --file "$answer" --no-plot 0<&- 2>&- >out || {
+"$muelle" check "$topic" --file "$answer" --no-plot 0<&- 2>&- >out || {
   echo "check without input and error stream ends with $?" >&2
   failures=$((failures + 1))
 }

@@ -10,6 +10,7 @@ mkdir -p "$tree/framework"
 cp "$source"/CMake* "$tree"
 for room in app base cmake course figures harness; do cp -R "$source/framework/$room" "$tree/framework"; done
 cp -R "$source/exercises" "$tree"
+first="$(basename "$(dirname "$(ls "$source"/exercises/*/exercise.toml | head -n 1)")")"
 failures=0
 complain() {
   printf '%s\n' "$@" >&2
@@ -23,24 +24,24 @@ expect() {
   said="$(cat "$tree/build/unfinished_exercises.txt")"
   [[ $said == "$1" ]] || complain "left out: '$said', expected: '$1'"
 }
-has_target() { ninja -C "$tree/build" -t targets all | grep -q "$1"; }
+has_target() { ninja -C "$tree/build" -t targets all | grep "$1" >/dev/null; }
 
-mv "$tree/exercises/damping/demo.cpp" "$scratch"
+mv "$tree/exercises/$first/demo.cpp" "$scratch"
 mkdir "$tree/exercises/pendulum"
 printf '#include "harness/exercise.h"\n' >"$tree/exercises/pendulum/pendulum.h"
 cmake -S "$tree" --preset default >"$scratch/log" 2>&1 || complain "cmake: $(tail -5 "$scratch/log")"
 lacks_all="pendulum: exercises/pendulum/exercise.toml, exercises/pendulum/pendulum.cpp, exercises/pendulum/public_test.cpp"
 lacks_all+=", exercises/pendulum/demo.cpp"
-expect "damping: exercises/damping/demo.cpp
+expect "$first: exercises/$first/demo.cpp
 $lacks_all"
-has_target public_damping && complain "an exercise without demo is built"
+has_target public_$first && complain "an exercise without demo is built"
 
-mv "$scratch/demo.cpp" "$tree/exercises/damping"
+mv "$scratch/demo.cpp" "$tree/exercises/$first"
 expect "$lacks_all"
-has_target public_damping || complain "the exercise is complete and not found"
+has_target public_$first || complain "the exercise is complete and not found"
 
-for file in exercise.toml public_test.cpp demo.cpp; do cp "$tree/exercises/damping/$file" "$tree/exercises/pendulum"; done
-cp "$tree/exercises/damping/damping.cpp" "$tree/exercises/pendulum/pendulum.cpp"
+for file in exercise.toml public_test.cpp demo.cpp; do cp "$tree/exercises/$first/$file" "$tree/exercises/pendulum"; done
+cp "$tree/exercises/$first/$first.cpp" "$tree/exercises/pendulum/pendulum.cpp"
 expect ""
 has_target public_pendulum || complain "the new exercise is complete and not found"
 

@@ -64,7 +64,7 @@ inline constexpr std::array refusedInLauncher = {
     RefusedWord{R"(\bread\s+(-\w+\s+)*-t\s*\d*\.\d)", "bash 4: whole seconds"},
     RefusedWord{R"x((^|[^+])"\$\{(?!packages|targets)\w+\[@\]\}")x",  // those two are never empty
                 "bash before 4.4 takes an empty array under set -u for an unset one: ${a[@]+\"${a[@]}\"}"},
-    RefusedWord{R"(\bflock +[-0-9])", "macOS has no such command: perl can lock a descriptor"},
+    RefusedWord{R"((^|[^:\w])flock +[-0-9])", "macOS has no such command: perl can lock a descriptor"},
     RefusedWord{R"(\bsetsid\b)", "macOS has none"},
     RefusedWord{R"(\btimeout\b)", "macOS has none"},
     RefusedWord{R"(\breadlink\s+-\w*[fem])", "macOS before 12.3 has none: cd and pwd -P"},
