@@ -1,4 +1,5 @@
 #include "base/file.h"
+#include "course/check/source_text.h"
 #include "grader/matrix/corpus_share.h"
 #include "grader/matrix/matrix.h"
 #include "grader/record.h"
@@ -63,7 +64,7 @@ class Planner {
     row.name = name;
     for (const std::string& file : manifest_.files) {
       if (!fs::exists(folder / file)) throw std::runtime_error(fmt::format("{} is missing", shown(folder / file)));
-      row.sources[file] = readFile(folder / file);
+      row.sources[file] = readSource(readFile(folder / file)).text;  // as intake would
     }
     const std::string& first = manifest_.files.front();
     row.file = shown(folder / first);

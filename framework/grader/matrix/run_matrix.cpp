@@ -14,6 +14,10 @@ using Status = BuildOutcome::Status;
 
 /// What became of a row.
 void fill(MatrixRow& row, const GradedExercise& graded) {
+  if (graded.build.outcome == Outcome::Forbidden) {  // refused by what it uses: lost as a whole
+    for (const Criterion& criterion : graded.manifest.criteria) row.lost.insert(criterion.suite);
+    return;
+  }
   if (graded.build.status != Status::Built) {
     row.trouble = graded.build.message;
     return;
