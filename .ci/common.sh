@@ -39,13 +39,22 @@ handed_out_rooms() {
     -path framework/app/instructor -prune -o -name '*.cpp' -print
 }
 
-# What clang-tidy reads: the sources of the framework that the last 30 commits touched, with --all every one. Tests are
-# mostly GoogleTest's macros, which it takes for faults.
+# Of the sources whose names come in on stdin those that the last 30 commits touched, at most sixty, the latest first: a
+# commit may touch everything, and a clone may know only one.
+recent() {
+  local names
+  names="$(cat)"
+  awk 'NR == FNR { wanted[$0]; next } ($0 in wanted) && !seen[$0]++ && count++ < 60' \
+    <(printf '%s\n' "$names") <(git log -30 --format= --name-only)
+}
+
+# What clang-tidy reads: the sources of the framework, of these the recent ones unless --all. Tests are mostly
+# GoogleTest's macros, which it takes for faults.
 tidy_sources() {
   if [[ $share == all ]]; then
     database_sources | grep '^framework/'
   else
-    comm -12 <(database_sources) <(git log -30 --format= --name-only | sort -u) | grep '^framework/' || true
+    database_sources | grep '^framework/' | recent
   fi
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The code compiles without precompiled header: g++'s syntax pass. Unless --all, over what neither clang.sh nor tidy.sh
-# reads, which do without the header, too.
+# The code compiles without precompiled header: g++'s syntax pass. Unless --all, over the recent sources that neither
+# clang.sh nor tidy.sh reads, which do without the header, too.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 begin "the code through g++ without precompiled header, syntax only"
 plain_tree
@@ -9,7 +9,7 @@ sources() {
   if [[ $share == all ]]; then
     database_sources
   else
-    comm -23 <(database_sources) <({ handed_out_rooms; tidy_sources; } | sort -u)
+    comm -23 <(database_sources) <({ handed_out_rooms; tidy_sources; } | sort -u) | recent
   fi
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# clang-tidy with the checks of .clang-tidy: of the sources that the last 30 commits touched, without the static analyser,
+# clang-tidy with the checks of .clang-tidy: of the recent sources (see common.sh), without the static analyser,
 # which takes as long as all the rest; with --all of every source, analyser included.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 begin "clang-tidy"

@@ -19,7 +19,7 @@ namespace muelle {
 
 /// How a run of the compiler or of the linker ended.
 struct ToolRun {
-  std::string words = "";  ///< what it wrote, in the C locale
+  std::string words{};  ///< what it wrote, in the C locale
   bool succeeded = false;
   bool timedOut = false;          ///< it passed the wall limit
   int signal = 0;                 ///< that ended the driver itself; 0: none

@@ -155,6 +155,7 @@ void eigenAssertionFailed(const char* condition, const char* function, AssertedI
 #ifdef __GLIBCXX__
 /// GNU's standard library calls it when one of its own rules is broken, and has one that only prints and aborts.
 namespace std {
+// NOLINTNEXTLINE(bugprone-reserved-identifier): the standard library calls it by this name
 void __glibcxx_assert_fail(const char*, int, const char* function, const char* condition) noexcept {
   muelle::endWithCrash(
       muelle::standardMessage(condition != nullptr ? condition : "", function != nullptr ? function : "").c_str());
