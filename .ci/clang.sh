@@ -19,7 +19,7 @@ jobs_of() {
   done
 }
 
-jobs_of | tr '\n' '\0' | xargs -0 -P "$jobs" -n 1 bash -c '
+jobs_of | tr '\n' '\0' | xargs -0 -r -P "$jobs" -n 1 bash -c '
   read -ra words <<<"${!#}"
   clang++ "${@:1:$#-1}" "${words[@]}" || { echo "clang.sh: ${words[0]} does not compile with clang" >&2; exit 1; }
 ' _ "${flags[@]}"

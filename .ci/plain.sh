@@ -19,7 +19,7 @@ commands() {
     awk -v root="$PWD/" 'NR == FNR { wanted[root $0]; next } ($NF in wanted) && !seen[$NF]++' <(sources) -
 }
 
-commands | tr '\n' '\0' | xargs -0 -P "$jobs" -n 1 bash -c '
+commands | tr '\n' '\0' | xargs -0 -r -P "$jobs" -n 1 bash -c '
   cd build-plain
   eval "${1/ -o * -c / -fsyntax-only -O0 }" ||
     { echo "plain.sh: ${1##* } does not compile without precompiled header" >&2; exit 1; }

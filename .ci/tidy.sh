@@ -8,6 +8,6 @@ options=(--quiet -p build-plain --extra-arg=-Wno-unknown-warning-option)
 if [[ $share != all ]]; then options+=("--checks=-clang-analyzer-*"); fi
 
 # Its count of the warnings that it keeps to itself (those of system headers) is no news.
-tidy_sources | tr '\n' '\0' | xargs -0 -P "$jobs" -n 1 bash -c '
+tidy_sources | tr '\n' '\0' | xargs -0 -r -P "$jobs" -n 1 bash -c '
   said="$(clang-tidy "$@" 2>&1)" || { echo "$said"; echo "tidy.sh: see above: ${!#}" >&2; exit 1; }
 ' _ "${options[@]}"
