@@ -1,6 +1,7 @@
 #include "course/suites.h"
 
 #include "base/text/nearest.h"
+#include "base/text/trim.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -12,22 +13,9 @@ namespace {
 
 constexpr std::string_view disabled = "DISABLED_";
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return "";
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 std::vector<std::string> namesOf(const std::vector<TestSuite>& suites) {
   std::vector<std::string> names;
   for (const TestSuite& suite : suites) names.push_back(suite.name);
-  return names;
-}
-
-std::vector<std::string> suitesOf(const std::vector<Criterion>& criteria) {
-  std::vector<std::string> names;
-  for (const Criterion& criterion : criteria) names.push_back(criterion.suite);
   return names;
 }
 
@@ -35,7 +23,7 @@ std::vector<std::string> suitesOf(const std::vector<Criterion>& criteria) {
 std::vector<std::string> ofSuites(const Manifest& manifest, const std::vector<TestSuite>& suites,
                                   std::string_view manifestName, std::string_view sourceName) {
   std::vector<std::string> lines;
-  const std::vector<std::string> stated = suitesOf(manifest.criteria);
+  const std::vector<std::string> stated = suitesOf(manifest);
   for (const TestSuite& suite : suites) {
     if (std::ranges::find(stated, suite.name) == stated.end()) {
       lines.push_back(fmt::format(
@@ -50,6 +38,12 @@ std::vector<std::string> ofSuites(const Manifest& manifest, const std::vector<Te
 }
 
 }  // namespace
+
+std::vector<std::string> suitesOf(const Manifest& manifest) {
+  std::vector<std::string> names;
+  for (const Criterion& criterion : manifest.criteria) names.push_back(criterion.suite);
+  return names;
+}
 
 void countTest(std::vector<TestSuite>& suites, std::string_view suite, std::string_view test) {
   const bool runs = !suite.starts_with(disabled) && !test.starts_with(disabled);
@@ -81,7 +75,7 @@ std::vector<std::string> disagreements(const Manifest& manifest, const std::vect
                                        std::string_view manifestName, std::string_view sourceName) {
   std::vector<std::string> lines = ofSuites(manifest, suites, manifestName, sourceName);
   const std::vector<std::string> known = namesOf(suites);
-  for (const std::string& suite : suitesOf(manifest.criteria)) {
+  for (const std::string& suite : suitesOf(manifest)) {
     if (std::ranges::find(known, suite) != known.end()) continue;
     lines.push_back(fmt::format("{}: criterion {} has no suite in {}; write TEST({}, ...), or take the criterion out{}",
                                 manifestName, suite, sourceName, suite, didYouMean(suite, known)));

@@ -13,6 +13,9 @@ struct TestSuite {
   int tests = 0;  ///< that run: those that are disabled do not count
 };
 
+/// The suites that the manifest pays for, in its order.
+std::vector<std::string> suitesOf(const Manifest& manifest);
+
 /// Adds a test to its suite, which it appends when it is new. One that is disabled, by its name or its suite's, makes
 /// the suite known and does not count.
 void countTest(std::vector<TestSuite>& suites, std::string_view suite, std::string_view test);

@@ -34,8 +34,8 @@ struct TestReport {
   std::vector<CommonFinding> findings;
   std::string crash;   ///< why the program ended early; "" when it did not. The rest of the tests did not run
   std::string output;  ///< what the student's code printed; untrusted text
-  Outcome outcome =
-      Outcome::Wrong;  ///< of all tests together: a crash before memory never written before a wrong answer
+  /// Of all tests together: a crash before memory never written before a wrong answer.
+  Outcome outcome = Outcome::Wrong;
 
   bool allPassed() const { return crash.empty() && failures.empty() && total > 0 && passed == total; }
 };

@@ -1,6 +1,8 @@
 #include "grader/matrix/expectation.h"
 
 #include "base/text/nearest.h"
+#include "base/text/trim.h"
+#include "course/suites.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,18 +18,6 @@ constexpr const char* form = "// loses: SuiteA, SuiteB; misconception: id";
 
 [[noreturn]] void fail(const std::string& shown, const std::string& complaint) {
   throw std::runtime_error(fmt::format("{}:1: {}", shown, complaint));
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-std::vector<std::string> suitesOf(const Manifest& manifest) {
-  std::vector<std::string> suites;
-  for (const Criterion& criterion : manifest.criteria) suites.push_back(criterion.suite);
-  return suites;
 }
 
 std::vector<std::string> misconceptionsOf(const Manifest& manifest) {
@@ -49,7 +39,7 @@ std::set<std::string> readSuites(const std::string& list, const std::string& sho
   std::size_t begin = 0;
   while (begin <= list.size()) {
     const std::size_t comma = std::min(list.find(',', begin), list.size());
-    const std::string suite = trimmed(list.substr(begin, comma - begin));
+    const std::string suite(trimmed(list.substr(begin, comma - begin)));
     begin = comma + 1;
     if (suite.empty()) fail(shown, fmt::format("an empty name in the list of suites; write {}", form));
     if (suite == "all") fail(shown, "'all' stands alone: it is every suite of exercise.toml");
@@ -71,16 +61,16 @@ Expectation noPoints(const Manifest& manifest) {
 }
 
 Expectation readExpectation(const std::string& source, const std::string& shown, const Manifest& manifest) {
-  const std::string line = trimmed(source.substr(0, source.find('\n')));
+  const std::string line(trimmed(source.substr(0, source.find('\n'))));
   const std::string losesKey = "// loses:";
   const std::string namedKey = "misconception:";
   const std::size_t semicolon = line.find(';');
   if (!line.starts_with(losesKey) || semicolon == std::string::npos) {
     fail(shown, fmt::format("the first line must read {}", form));
   }
-  const std::string suites = trimmed(line.substr(losesKey.size(), semicolon - losesKey.size()));
-  const std::string rest = trimmed(line.substr(semicolon + 1));
-  const std::string id = rest.starts_with(namedKey) ? trimmed(rest.substr(namedKey.size())) : "";
+  const std::string suites(trimmed(line.substr(losesKey.size(), semicolon - losesKey.size())));
+  const std::string rest(trimmed(line.substr(semicolon + 1)));
+  const std::string id = rest.starts_with(namedKey) ? std::string(trimmed(rest.substr(namedKey.size()))) : "";
   if (id.empty()) fail(shown, fmt::format("no misconception is stated; the first line must read {}", form));
 
   Expectation expectation = suites == "all" ? noPoints(manifest) : Expectation{};

@@ -8,6 +8,7 @@
 
 #include "base/build_paths.h"
 #include "grader/matrix/corpus_share.h"
+#include "support/manifest_of.h"
 
 #include <gtest/gtest.h>
 
@@ -32,14 +33,6 @@ std::vector<std::string> attacks() {
   return names;
 }
 
-/// The exercise whose file the folder holds.
-std::string topicOf(const fs::path& folder) {
-  for (const Manifest& manifest : readCourse(Workplace::ofThisBuild().exercises())) {
-    if (fs::exists(folder / manifest.files.front())) return manifest.topic;
-  }
-  throw std::runtime_error(folder.string() + " holds no file of an exercise");
-}
-
 /// Reads the first line. Throws std::runtime_error when it is not as it should be.
 std::string expectedWords(const fs::path& source) {
   std::ifstream stream(source);
@@ -55,7 +48,7 @@ class Hostile : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Hostile, GetsNoPointsAndChangesNothing) {
   const fs::path folder = corpus() / GetParam();
-  const std::string topic = topicOf(folder);
+  const std::string topic = manifestOf(folder, Workplace::ofThisBuild().exercises()).topic;
   const std::string says = expectedWords(folder / (topic + ".cpp"));
   const Surroundings surroundings(folder);
   const GradedSubmission graded = gradeAttack(folder, topic);

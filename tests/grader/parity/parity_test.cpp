@@ -12,6 +12,7 @@
 #include "base/process/child.h"
 #include "grader/matrix/corpus_share.h"
 #include "grader/run/grade.h"
+#include "support/manifest_of.h"
 
 #include <gtest/gtest.h>
 
@@ -100,13 +101,6 @@ std::vector<Criterion> publicCriteria(const Workplace& workplace, const Manifest
   return criteria;
 }
 
-Manifest manifestOf(const fs::path& submission) {
-  for (const Manifest& manifest : readCourse(source / "exercises")) {
-    if (fs::exists(submission / manifest.files.front())) return manifest;
-  }
-  throw std::runtime_error(submission.string() + " holds no file of an exercise");
-}
-
 std::string wordsOf(const GradedExercise& graded) {
   std::string words = graded.build.message + "\n";
   for (const auto& [suite, verdict] : graded.verdicts) {
@@ -139,7 +133,7 @@ TEST_P(Parity, OfCheckAndGrade) {
     GTEST_SKIP() << "check is run in bubblewrap only: " << error.what();
   }
   const Workplace workplace = workplaceOfPublicTests();
-  Manifest manifest = manifestOf(GetParam());
+  Manifest manifest = manifestOf(GetParam(), source / "exercises");
   manifest.criteria = publicCriteria(workplace, manifest);
   ASSERT_FALSE(manifest.criteria.empty());
   GradeOptions options;

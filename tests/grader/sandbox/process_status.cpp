@@ -1,6 +1,7 @@
 #include "process_status.h"
 
 #include "base/file.h"
+#include "base/text/trim.h"
 
 #include <sched.h>
 
@@ -22,18 +23,12 @@ std::string target(const fs::path& link) {
   return fs::read_symlink(link, ignored).string();
 }
 
-std::string trimmed(std::string text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  const std::size_t end = text.find_last_not_of(" \t\n");
-  return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
-}
-
 }  // namespace
 
 std::string ProcessStatus::field(const std::string& name) const {
   std::ifstream stream(folder(pid_) / "status");
   for (std::string line; std::getline(stream, line);) {
-    if (line.starts_with(name + ":")) return trimmed(line.substr(name.size() + 1));
+    if (line.starts_with(name + ":")) return std::string(trimmed(line.substr(name.size() + 1)));
   }
   return "";
 }
