@@ -9,8 +9,8 @@ namespace muelle::figures {
 namespace {
 
 constexpr double panelGap = 16;
-constexpr double footHeight = 72;  // numbers and label of the x axis
-constexpr double labelRise = 12;   // the x label stands so far above the foot's end
+constexpr double footHeight = 72;       // numbers and label of the x axis
+constexpr double sharedLabelRise = 12;  // the x label stands so far above the foot's end
 constexpr double singleHeight = 386;
 constexpr double stackedHeight = 196;
 constexpr double equalHeight = 500;
@@ -31,7 +31,7 @@ PanelLayout panelAt(double top, const PanelShape& shape, double plotHeight) {
   panel.y = shape.y.range;
   if (shape.equalAxes) equaliseAxes(panel, shape.colours.has_value(), slimmest);
   placeHeader(panel.plot.left - labelIndent, plotRight, shape, key, panel);
-  if (shape.xLabel) panel.xLabel = xLabelBelow(panel.plot, footOf(shape) - labelRise, *shape.xLabel);
+  if (shape.xLabel) panel.xLabel = xLabelBelow(panel.plot, footOf(shape) - sharedLabelRise, *shape.xLabel);
   return panel;
 }
 

@@ -9,7 +9,7 @@ namespace muelle {
 namespace {
 
 const std::string toml = "exercises/a/exercise.toml";
-const std::string source = "tests/hidden/a/a_test.cpp";
+const std::string testFile = "tests/hidden/a/a_test.cpp";
 
 Manifest paying(const std::vector<std::string>& suites) {
   Manifest manifest;
@@ -22,11 +22,11 @@ Manifest paying(const std::vector<std::string>& suites) {
 }
 
 TEST(Disagreements, AreNoneWhereEachCriterionHasASuiteWithTests) {
-  EXPECT_TRUE(disagreements(paying({"Force", "Energy"}), {{"Energy", 1}, {"Force", 3}}, toml, source).empty());
+  EXPECT_TRUE(disagreements(paying({"Force", "Energy"}), {{"Energy", 1}, {"Force", 3}}, toml, testFile).empty());
 }
 
 TEST(Disagreements, NameASuiteThatPaysNothing) {
-  const auto lines = disagreements(paying({"Force"}), {{"Force", 1}, {"Forces", 2}}, toml, source);
+  const auto lines = disagreements(paying({"Force"}), {{"Force", 1}, {"Forces", 2}}, toml, testFile);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0],
             "tests/hidden/a/a_test.cpp: suite Forces is no criterion of exercises/a/exercise.toml; add a [[criterion]] "
@@ -34,7 +34,7 @@ TEST(Disagreements, NameASuiteThatPaysNothing) {
 }
 
 TEST(Disagreements, NameACriterionThatNothingTests) {
-  const auto lines = disagreements(paying({"Force", "Energy"}), {{"Force", 1}}, toml, source);
+  const auto lines = disagreements(paying({"Force", "Energy"}), {{"Force", 1}}, toml, testFile);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0],
             "exercises/a/exercise.toml: criterion Energy has no suite in tests/hidden/a/a_test.cpp; write "
@@ -42,7 +42,7 @@ TEST(Disagreements, NameACriterionThatNothingTests) {
 }
 
 TEST(Disagreements, NameASuiteOfWhichNoTestRuns) {
-  const auto lines = disagreements(paying({"Force"}), {{"Force", 0}}, toml, source);
+  const auto lines = disagreements(paying({"Force"}), {{"Force", 0}}, toml, testFile);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0],
             "tests/hidden/a/a_test.cpp: suite Force, a criterion of exercises/a/exercise.toml, is empty: no test of it "
@@ -50,8 +50,8 @@ TEST(Disagreements, NameASuiteOfWhichNoTestRuns) {
 }
 
 TEST(Disagreements, OfPublicTestsNeedNoSuiteForACriterion) {
-  EXPECT_TRUE(publicDisagreements(paying({"Force", "Energy"}), {{"Force", 1}}, toml, source).empty());
-  EXPECT_EQ(publicDisagreements(paying({"Force"}), {{"Other", 1}, {"Force", 0}}, toml, source).size(), 2U);
+  EXPECT_TRUE(publicDisagreements(paying({"Force", "Energy"}), {{"Force", 1}}, toml, testFile).empty());
+  EXPECT_EQ(publicDisagreements(paying({"Force"}), {{"Other", 1}, {"Force", 0}}, toml, testFile).size(), 2U);
 }
 
 TEST(SuitesInSource, AreReadOfTheMacros) {

@@ -1,6 +1,7 @@
 #include "base/file.h"
 #include "figures/script.h"
 #include "figures/write.h"
+#include "support/lines.h"
 #include "support/temporary.h"
 
 #include <gtest/gtest.h>
@@ -21,19 +22,6 @@ Figure example() {
   figure.panel("position [m]").line("simulated", t, {1, 0, -1, 0}).reference("analytic", t, {1, 0.1, -1, 0.1});
   figure.panel("energy [J]").line("total", t, {2, 2, 2, 2}).points("measured", {1.5}, {2});
   return figure;
-}
-
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
-std::size_t countOf(const std::string& text, const std::string& what) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
-  return count;
 }
 
 /// What stands in the single quotes of a script.

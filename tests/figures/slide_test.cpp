@@ -1,7 +1,9 @@
 #include "base/file.h"
+#include "base/text/words.h"
 #include "figures/axis.h"
 #include "figures/script.h"
 #include "figures/write.h"
+#include "support/lines.h"
 #include "support/temporary.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +14,7 @@ namespace muelle {
 namespace {
 
 using Numbers = std::vector<double>;
-const Numbers t = {0, 1, 2, 3};
+const Numbers times = {0, 1, 2, 3};
 
 /// Where a plot lies, in parts of the canvas.
 struct Plot {
@@ -29,14 +31,6 @@ std::vector<Plot> plotsOf(const std::string& script) {
   return plots;
 }
 
-std::size_t countOf(const std::string& text, const std::string& what) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
-  return count;
-}
-
-bool has(const std::string& text, const std::string& what) { return text.find(what) != std::string::npos; }
-
 /// Six panels with all that takes room above, below and beside a plot.
 Figure crowded(int columns) {
   Figure figure("crowded", "A slide with everything on it", "time [s]");
@@ -45,7 +39,7 @@ Figure crowded(int columns) {
     auto panel = figure.panel("position of the free end [m]");
     panel.heading("a heading of some length");
     for (const char* name : {"velocity Verlet", "classical Runge-Kutta", "implicit midpoint"}) {
-      panel.linePoints(name, t, {1e-7, 1, 10, 100});
+      panel.linePoints(name, times, {1e-7, 1, 10, 100});
     }
     if (i == 1) panel.logY();
     if (i == 2) panel.equalAxes();
@@ -80,10 +74,10 @@ TEST(Slide, KeepsItsPlotsApart) {
 TEST(Slide, LinesItsPlotsUp) {
   Figure figure("rows", "Two rows, unlike above and below", "time [s]");
   figure.slide(2);
-  figure.panel("y").line("a", t, t).heading("a heading");
-  figure.panel("y").line("", t, t);
-  figure.panel("y").line("", t, t).xLabel("step [s]");
-  figure.panel("y").line("a", t, t);
+  figure.panel("y").line("a", times, times).heading("a heading");
+  figure.panel("y").line("", times, times);
+  figure.panel("y").line("", times, times).xLabel("step [s]");
+  figure.panel("y").line("a", times, times);
   const std::vector<Plot> plots = plotsOf(figureText(figure).script);
   ASSERT_EQ(plots.size(), 4U);
   const double digits = 2e-5;  // of the margins
@@ -99,12 +93,12 @@ TEST(Slide, LinesItsPlotsUp) {
 TEST(Slide, NamesTheXAxisOnceInAColumn) {
   Figure figure("columns", "Two rows", "time [s]");
   figure.slide(2);
-  for (int i = 0; i < 4; ++i) figure.panel("position [m]").line("", t, t);
+  for (int i = 0; i < 4; ++i) figure.panel("position [m]").line("", times, times);
   EXPECT_EQ(countOf(figureText(figure).script, "'time [s]'"), 2U);
 
   Figure different("columns", "Two rows", "time [s]");
   different.slide(2);
-  for (int i = 0; i < 4; ++i) different.panel("position [m]").line("", t, t).xLabel(i == 1 ? "step [s]" : "");
+  for (int i = 0; i < 4; ++i) different.panel("position [m]").line("", times, times).xLabel(i == 1 ? "step [s]" : "");
   const std::string script = figureText(different).script;
   EXPECT_EQ(countOf(script, "'time [s]'"), 2U);
   EXPECT_EQ(countOf(script, "'step [s]'"), 1U);
@@ -128,12 +122,12 @@ TEST(SlideFiles, AreWholeInEveryFormat) {
   EXPECT_EQ(png.substr(png.size() - 8, 4), "IEND");
   const std::string pdf = readFile(folder.path() / "crowded.pdf");
   EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
-  EXPECT_TRUE(has(pdf.substr(pdf.size() - 16), "%%EOF"));
+  EXPECT_TRUE(contains(pdf.substr(pdf.size() - 16), "%%EOF"));
   const std::string svg = readFile(folder.path() / "crowded.svg");
-  EXPECT_TRUE(has(svg, "viewBox=\"0 0 960 540\""));
+  EXPECT_TRUE(contains(svg, "viewBox=\"0 0 960 540\""));
   for (const char* text : {"A slide with everything on it", "a heading of some length", "implicit midpoint",
                            "symplectic Euler", "a long name of a hard case", "energy [J]"}) {
-    EXPECT_TRUE(has(svg, text)) << text;
+    EXPECT_TRUE(contains(svg, text)) << text;
   }
 }
 
@@ -144,23 +138,23 @@ TEST(SlideData, HoldsArrowsCellsAndFields) {
   figure.panel("case").cells("passed", {0, 1}, {1, 0});
   figure.panel("z [m]").field({{0, 1}, {5, 6, 7}, {1, 2, 3, NAN, 5, 6}, "energy [J]"});
   const FigureText text = figureText(figure);
-  EXPECT_TRUE(has(text.data, "\n0 2 0.5 -0.25\n\n")) << text.data;
-  EXPECT_FALSE(has(text.data, "1 3 "));  // an arrow with a component that is not a number
-  EXPECT_TRUE(has(text.data, "\n0 1\n1 0\n")) << text.data;
-  EXPECT_TRUE(has(text.data, "\n0 5 1\n1 5 2\n\n0 6 3\n1 6 NaN\n\n0 7 5\n1 7 6\n")) << text.data;
-  EXPECT_TRUE(has(text.script, "with vectors"));
-  EXPECT_TRUE(has(text.script, "with boxxyerror"));
-  EXPECT_TRUE(has(text.script, "with image"));
+  EXPECT_TRUE(contains(text.data, "\n0 2 0.5 -0.25\n\n")) << text.data;
+  EXPECT_FALSE(contains(text.data, "1 3 "));  // an arrow with a component that is not a number
+  EXPECT_TRUE(contains(text.data, "\n0 1\n1 0\n")) << text.data;
+  EXPECT_TRUE(contains(text.data, "\n0 5 1\n1 5 2\n\n0 6 3\n1 6 NaN\n\n0 7 5\n1 7 6\n")) << text.data;
+  EXPECT_TRUE(contains(text.script, "with vectors"));
+  EXPECT_TRUE(contains(text.script, "with boxxyerror"));
+  EXPECT_TRUE(contains(text.script, "with image"));
 }
 
 TEST(SlideAxes, EndWhereTheyAreTold) {
   Figure figure("ranges", "Fixed ranges", "time [s]");
   figure.slide(2);
-  figure.panel("x [m]").line("", t, t).xRange(-1, 7).yRange(0.5, 2.5);
-  figure.panel("x [m]").line("", t, t).field({{0, 1}, {0, 1}, {1, 2, 3, 4}, "E", {{-3, 9}}});
+  figure.panel("x [m]").line("", times, times).xRange(-1, 7).yRange(0.5, 2.5);
+  figure.panel("x [m]").line("", times, times).field({{0, 1}, {0, 1}, {1, 2, 3, 4}, "E", {{-3, 9}}});
   const std::string script = figureText(figure).script;
-  EXPECT_TRUE(has(script, "set xrange [-1:7]\nset yrange [0.5:2.5]"));
-  EXPECT_TRUE(has(script, "set cbrange [-3:9]"));
+  EXPECT_TRUE(contains(script, "set xrange [-1:7]\nset yrange [0.5:2.5]"));
+  EXPECT_TRUE(contains(script, "set cbrange [-3:9]"));
 }
 
 TEST(SlideAxes, MayBeLinearAfterALogarithmicOne) {
@@ -190,12 +184,12 @@ TEST(SlideAxes, HaveNumbersThatStandApart) {
 TEST(SlideCurves, TakeTheColourTheyAreGiven) {
   Figure figure("colours", "One thing, one colour", "x");
   figure.slide(2);
-  figure.panel("y").line("a", t, t).line("b", t, t).colour(4).line("c", t, t);
+  figure.panel("y").line("a", times, times).line("b", times, times).colour(4).line("c", times, times);
   const std::string script = figureText(figure).script;
-  EXPECT_TRUE(has(script, "index 0 using 1:2 with lines ls 1,"));
-  EXPECT_TRUE(has(script, "index 1 using 1:2 with lines ls 5,"));
-  EXPECT_TRUE(has(script, "index 2 using 1:2 with lines ls 2\n"));
-  EXPECT_TRUE(has(script, "set style line 5 "));
+  EXPECT_TRUE(contains(script, "index 0 using 1:2 with lines ls 1,"));
+  EXPECT_TRUE(contains(script, "index 1 using 1:2 with lines ls 5,"));
+  EXPECT_TRUE(contains(script, "index 2 using 1:2 with lines ls 2\n"));
+  EXPECT_TRUE(contains(script, "set style line 5 "));
 }
 
 TEST(SlideErrors, AreFoundWhereTheyAreMade) {
@@ -224,9 +218,9 @@ TEST(SlideErrors, IncludeTextThatIsNotPlain) {
     EXPECT_THROW(panel.note(0, 0, bad), std::invalid_argument) << bad;
     EXPECT_THROW(panel.xNames({"a", bad}), std::invalid_argument) << bad;
     EXPECT_THROW(panel.yNames({bad}), std::invalid_argument) << bad;
-    EXPECT_THROW(panel.linePoints(bad, t, t), std::invalid_argument) << bad;
-    EXPECT_THROW(panel.cells(bad, t, t), std::invalid_argument) << bad;
-    EXPECT_THROW(panel.arrows(bad, t, t, t, t), std::invalid_argument) << bad;
+    EXPECT_THROW(panel.linePoints(bad, times, times), std::invalid_argument) << bad;
+    EXPECT_THROW(panel.cells(bad, times, times), std::invalid_argument) << bad;
+    EXPECT_THROW(panel.arrows(bad, times, times, times, times), std::invalid_argument) << bad;
     EXPECT_THROW(panel.field({{0, 1}, {0, 1}, {1, 2, 3, 4}, bad}), std::invalid_argument) << bad;
   }
 }

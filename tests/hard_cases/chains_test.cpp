@@ -17,8 +17,6 @@
 namespace muelle::hard_cases {
 namespace {
 
-double relative(double value, double expected) { return std::abs(value / expected - 1.0); }
-
 engine::SystemMatrix stiffness(const engine::ModelSystem& system, const State& state) {
   engine::SystemMatrix K;
   system.linearisation()->assemble(0, 0, 1, state.t, state.x, state.v, state.z, engine::Form::Exact, K);

@@ -14,14 +14,6 @@
 namespace muelle::hard_cases {
 namespace {
 
-double relative(double value, double expected) { return std::abs(value / expected - 1.0); }
-
-engine::RunOptions blindStep(double h, double duration) {
-  engine::RunOptions options = fixedStep(h, duration);
-  options.locateEvents = false;
-  return options;
-}
-
 // ---------------------------------------------------------------------------------------------------------------- H17
 
 double ballError(const Finished& end) { return std::abs(end.x(0)[0] - reference("H17", "z(10)")); }

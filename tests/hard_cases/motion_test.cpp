@@ -15,8 +15,6 @@
 namespace muelle::hard_cases {
 namespace {
 
-double relative(double value, double expected) { return std::abs(value / expected - 1.0); }
-
 // ---------------------------------------------------------------------------------------------------------------- H04
 
 /// Distance of the pendulum from its reference at a time whose values are named "regular.t10." [m].

@@ -17,8 +17,6 @@ using engine::makeMethod;
 using engine::methodInfo;
 using Complex = std::complex<double>;
 
-double relative(double value, double expected) { return std::abs(value / expected - 1.0); }
-
 // ---------------------------------------------------------------------------------------------------------------- H01
 
 constexpr double h01 = 0.1;
@@ -265,13 +263,6 @@ TEST(H03StabilityLimit, EulerAndMidpointGrowAtEveryStep) {
 
 /// Error of the slow node's displacement from its rest position 2.
 double slowError(const Finished& end) { return std::abs(end.x(1)[0] - 2.0 - reference("H11", "u2(10)")); }
-
-/// Without events: an exploding node would stop at each passage through the anchor.
-engine::RunOptions blindStep(double h, double duration) {
-  engine::RunOptions options = fixedStep(h, duration);
-  options.locateEvents = false;
-  return options;
-}
 
 TEST(H11StiffnessRatio, ImplicitMethodsStepOverTheFastMode) {
   EXPECT_LT(slowError(run(stiffnessRatio(), "implicit_midpoint", fixedStep(1.0 / 60, 10.0))), 2e-5);

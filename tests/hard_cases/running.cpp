@@ -2,6 +2,7 @@
 
 #include "engine/integrators/catalogue.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <utility>
@@ -26,6 +27,12 @@ engine::RunOptions fixedStep(double h, double duration) {
   engine::RunOptions options = quiet(duration);
   options.h = h;
   options.fixedStep = true;
+  return options;
+}
+
+engine::RunOptions blindStep(double h, double duration) {
+  engine::RunOptions options = fixedStep(h, duration);
+  options.locateEvents = false;
   return options;
 }
 
@@ -62,5 +69,7 @@ bool longRuns() {
   const char* asked = std::getenv("MUELLE_LONG");
   return asked != nullptr && *asked != '\0' && std::string_view(asked) != "0";
 }
+
+double relative(double value, double expected) { return std::abs(value / expected - 1.0); }
 
 }  // namespace muelle::hard_cases

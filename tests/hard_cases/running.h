@@ -20,6 +20,8 @@ struct Finished {
 /// Options of a run at a fixed step: no step control even with an error estimate, only the last state is kept, no
 /// advice (the cases go where advice would warn), and no stop before the numbers end being finite.
 engine::RunOptions fixedStep(double h, double duration);
+/// The same without events: an exploding node would stop at each passage through an anchor.
+engine::RunOptions blindStep(double h, double duration);
 /// Options of an adaptive run with the same relative and absolute tolerance, likewise quiet.
 engine::RunOptions withTolerance(double tolerance, double duration);
 
@@ -30,6 +32,9 @@ Finished run(const engine::Model& model, std::string_view method, const engine::
 /// `steps` bare steps of h, without anything that simulate() adds: no events, no swept bound, no checks. Stops early
 /// when a step fails. For the failures that simulate() prevents.
 State bareSteps(const engine::System& system, engine::Method& method, State state, double h, long long steps);
+
+/// Deviation in parts of what is expected.
+double relative(double value, double expected);
 
 /// Whether long runs were asked for: the environment variable MUELLE_LONG is set and not "0".
 bool longRuns();

@@ -2,6 +2,8 @@
 /// The arrows of the house: what a room may include is stated once, here; every quoted #include of every source is held
 /// against it.
 
+#include "folders.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -15,8 +17,6 @@
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path source = MUELLE_SOURCE;
 
 using Rooms = std::set<std::string>;
 

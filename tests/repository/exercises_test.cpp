@@ -2,15 +2,14 @@
 /// What every exercise must have. The exercises are found by their folders; a failure says which file is missing or
 /// which two lists differ, so that it reads as a to-do list for the author.
 
+#include "base/process/child.h"
 #include "course/manifest.h"
+#include "folders.h"
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <set>
 #include <sstream>
 #include <string>
@@ -20,9 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 using muelle::Manifest;
 
-const fs::path source = MUELLE_SOURCE;
-const fs::path binary = MUELLE_BINARY;
-
 std::string contentOf(const fs::path& file) {
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
@@ -31,16 +27,11 @@ std::string contentOf(const fs::path& file) {
 
 /// "suite NAME" and "mistake FUNCTION ID" lines of a hidden test program.
 std::set<std::string> listing(const std::string& topic, const std::string& kind) {
-  const std::string command = (binary / "hidden" / ("hidden_" + topic)).string() + " --list";
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
+  muelle::ChildSpec program;
+  program.command = {(binary / "hidden" / ("hidden_" + topic)).string(), "--list"};
+  std::istringstream lines(muelle::runCommand(program, {}).out);
   std::set<std::string> names;
-  std::array<char, 512> line{};
-  while (pipe && std::fgets(line.data(), line.size(), pipe.get()) != nullptr) {
-    std::istringstream words(line.data());
-    std::string first;
-    std::string rest;
-    words >> first;
-    std::getline(words >> std::ws, rest);
+  for (std::string first, rest; lines >> first && std::getline(lines >> std::ws, rest);) {
     if (first == kind) names.insert(rest);
   }
   return names;

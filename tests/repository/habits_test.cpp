@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "course/manifest.h"
+#include "folders.h"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +16,6 @@
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path source = MUELLE_SOURCE;
 
 /// The files below tests/, without the folders that are about one exercise, without what plays a student's part, and
 /// without this room, which names what it refuses.

@@ -2,6 +2,7 @@
 /// What is handed out works on a student's machine, macOS with its bash 3.2 included: refused_words.h lists what would
 /// not.
 
+#include "folders.h"
 #include "refused_words.h"
 
 #include <gtest/gtest.h>
@@ -19,8 +20,6 @@ namespace muelle {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path source = MUELLE_SOURCE;
 
 std::vector<std::string> linesOf(std::istream& stream) {
   std::vector<std::string> lines;

@@ -1,6 +1,7 @@
 #include "course/check/compile_verdict.h"
 
 #include "base/text/printable.h"
+#include "base/text/words.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -73,10 +74,6 @@ CompileVerdict undecided(const ToolRun& run, const CompileLimits& limits, std::s
     verdict.message = otherwise == Outcome::Link ? "it compiles, but does not fit its contract" : "it does not compile";
   }
   return verdict;
-}
-
-bool isNameCharacter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
 bool hasWord(std::string_view text, std::string_view word) {

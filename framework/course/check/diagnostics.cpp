@@ -1,6 +1,7 @@
 #include "course/check/diagnostics.h"
 
 #include "base/text/printable.h"
+#include "base/text/words.h"
 #include "course/check/explanations.h"
 #include "course/check/plain_types.h"
 
@@ -12,8 +13,6 @@
 namespace muelle {
 
 namespace {
-
-bool has(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
 /// Takes the first line off the text, without its end.
 std::string_view takeLine(std::string_view& text) {
@@ -98,7 +97,7 @@ std::optional<Statement> readStatement(std::string_view line) {
 std::string withoutExpression(std::string_view message) {
   const std::size_t in = message.find("' in '");
   const std::size_t operands = message.rfind(" (operand type");
-  const bool isOperator = has(message, "no match for 'operator") && in != std::string_view::npos &&
+  const bool isOperator = contains(message, "no match for 'operator") && in != std::string_view::npos &&
                           operands != std::string_view::npos && in < operands;
   if (!isOperator) return std::string(message);
   return std::string(message.substr(0, in + 1)) + std::string(message.substr(operands));
@@ -138,10 +137,10 @@ class Reader {
   }
 
   void readLine(std::string_view line) {
-    if (has(line, ": In instantiation of '") || has(line, ": In substitution of '")) {
+    if (contains(line, ": In instantiation of '") || contains(line, ": In substitution of '")) {
       context_.reset();
       mixed_ = matrixNamesIn(line);
-    } else if (has(line, "   required from here") || has(line, ":   required by substitution")) {
+    } else if (contains(line, "   required from here") || contains(line, ":   required by substitution")) {
       const Location location = readLocation(line.substr(0, line.find(":   required")));
       if (studentFile(location.file) != nullptr) context_ = location;
     } else if (line.starts_with("    inlined from '")) {
@@ -178,7 +177,7 @@ class Reader {
                           explainMessage(statement.message, mixed_),
                           std::string(isError ? "" : optionOf(statement.message))};
     if (!isStudents && inlinedAt_ && isOfMemory(diagnostic.option)) explainInlined(diagnostic);
-    if (has(statement.message, "expected")) explainSemicolon(statement.message, diagnostic);
+    if (contains(statement.message, "expected")) explainSemicolon(statement.message, diagnostic);
     shorten(diagnostic);
     found_.push_back(diagnostic);
   }
@@ -196,10 +195,11 @@ class Reader {
   void takeNote(const Statement& statement) {
     if (found_.empty()) return;
     Diagnostic& diagnostic = found_.back();
-    if (has(statement.message, "previously defined here") || has(statement.message, "previous definition")) {
+    if (contains(statement.message, "previously defined here") || contains(statement.message, "previous definition")) {
       diagnostic.explanation += fmt::format(" (the first stands in line {})", statement.location.line);
     }
-    if (has(statement.message, "old declaration '") && has(diagnostic.message, "ambiguating new declaration")) {
+    if (contains(statement.message, "old declaration '") &&
+        contains(diagnostic.message, "ambiguating new declaration")) {
       const std::string plain = withPlainTypes(statement.message);
       const std::size_t open = plain.find('\'') + 1;
       diagnostic.explanation += fmt::format(": {}", plain.substr(open, plain.rfind('\'') - open));
@@ -208,7 +208,8 @@ class Reader {
 
   /// The compiler points at the word before which a semicolon is missing, often the first of the next line.
   void explainSemicolon(std::string_view message, Diagnostic& diagnostic) const {
-    if (!has(message, "';' before") && !has(message, "expected ';'") && !has(message, "expected initializer before"))
+    if (!contains(message, "';' before") && !contains(message, "expected ';'") &&
+        !contains(message, "expected initializer before"))
       return;
     const StudentFile* file = studentFile(diagnostic.file);
     std::string_view text = file->text;

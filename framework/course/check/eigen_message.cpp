@@ -1,5 +1,7 @@
 #include "course/check/eigen_message.h"
 
+#include "base/text/words.h"
+
 #include <fmt/format.h>
 #include <charconv>
 #include <optional>
@@ -48,31 +50,30 @@ std::string object(std::string_view prettyFunction) {
   return fmt::format("{} {}", name.starts_with('e') ? "an" : "a", name);
 }
 
-bool has(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
-
 std::string withoutPlace(std::string_view condition, std::string_view function, AssertedIndex index) {
-  if (has(condition, "row >= 0 && row < rows()") || has(condition, "row>=0 && row<rows()")) {
+  if (contains(condition, "row >= 0 && row < rows()") || contains(condition, "row>=0 && row<rows()")) {
     return fmt::format("row or column out of range of {}", object(function));
   }
-  if (has(condition, "index >= 0 && index < size()") || has(condition, "index<size()")) {
+  if (contains(condition, "index >= 0 && index < size()") || contains(condition, "index<size()")) {
     return index.known ? fmt::format("index {} of {}", index.value, object(function))
                        : fmt::format("index out of range of {}", object(function));
   }
-  if (has(condition, "invalid matrix product"))
+  if (contains(condition, "invalid matrix product"))
     return "product of a matrix and a vector or matrix whose sizes do not fit";
-  if (has(condition, "Too few coefficients")) return "too few numbers after << for the size of the vector or matrix";
-  if (has(condition, "comma initializer")) return "too many numbers after << for the size of the vector or matrix";
-  if (has(condition, "startRow") || has(condition, "startCol") || has(condition, "BlockRows==1")) {
+  if (contains(condition, "Too few coefficients"))
+    return "too few numbers after << for the size of the vector or matrix";
+  if (contains(condition, "comma initializer")) return "too many numbers after << for the size of the vector or matrix";
+  if (contains(condition, "startRow") || contains(condition, "startCol") || contains(condition, "BlockRows==1")) {
     return "block, segment, row or column outside of the vector or matrix";
   }
-  if (has(condition, "empty matrix")) return "an empty vector or matrix has no such value";
-  if (has(condition, "does not actually allow to resize") || has(condition, "RowsAtCompileTime!=Dynamic") ||
-      has(condition, "v == T(Value)")) {
+  if (contains(condition, "empty matrix")) return "an empty vector or matrix has no such value";
+  if (contains(condition, "does not actually allow to resize") || contains(condition, "RowsAtCompileTime!=Dynamic") ||
+      contains(condition, "v == T(Value)")) {
     return "wrong number of components for a vector or matrix of fixed size (a Vec3 takes three numbers)";
   }
-  if (has(condition, "not initialized")) return "a decomposition is used before compute()";
-  if (has(condition, "size() == other.size()")) return "dot product of vectors of different sizes";
-  if (has(condition, "rows() == ") || has(condition, "cols() == ") || has(condition, "rows()==")) {
+  if (contains(condition, "not initialized")) return "a decomposition is used before compute()";
+  if (contains(condition, "size() == other.size()")) return "dot product of vectors of different sizes";
+  if (contains(condition, "rows() == ") || contains(condition, "cols() == ") || contains(condition, "rows()==")) {
     return "vectors or matrices of different sizes are added, subtracted or assigned";
   }
   return fmt::format("Eigen refused an operation: '{}' does not hold", condition);

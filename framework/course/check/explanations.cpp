@@ -1,5 +1,6 @@
 #include "course/check/explanations.h"
 
+#include "base/text/words.h"
 #include "course/check/plain_types.h"
 
 #include <fmt/format.h>
@@ -7,8 +8,6 @@
 namespace muelle {
 
 namespace {
-
-bool has(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
 /// The part of the message between the n-th pair of quotes, from 0.
 std::string quoted(std::string_view message, int n) {
@@ -45,18 +44,18 @@ constexpr Translation staticAssertions[] = {
 };
 
 std::string explainStaticAssertion(std::string_view message, const std::vector<std::string>& mixed) {
-  if (has(message, "YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES")) {
+  if (contains(message, "YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES")) {
     const std::string which = mixed.size() == 2 ? fmt::format(" (a {} and a {})", mixed[0], mixed[1]) : "";
     return fmt::format("vectors or matrices of different sizes are mixed in this line{}", which);
   }
   for (const Translation& translation : staticAssertions) {
-    if (has(message, translation.name)) return std::string(translation.meaning);
+    if (contains(message, translation.name)) return std::string(translation.meaning);
   }
   return "";
 }
 
 bool isNumber(std::string_view type) {
-  return has(type, "double") || has(type, "int") || has(type, "float") || has(type, "long");
+  return contains(type, "double") || contains(type, "int") || contains(type, "float") || contains(type, "long");
 }
 
 /// "no match for 'operator+' (operand types are 'A' and 'B')"
@@ -89,11 +88,11 @@ std::string explainOperator(std::string_view message) {
 /// "cannot convert 'A' to 'B' in initialization", "could not convert 'expression' from 'A' to 'B'".
 std::string explainConversion(std::string_view message) {
   const std::string plain = withPlainTypes(message);
-  const int first = has(message, "could not convert") ? 1 : 0;
+  const int first = contains(message, "could not convert") ? 1 : 0;
   const std::string from = quoted(plain, first);
   const std::string to = quoted(plain, first + 1);
   const auto isVector = [](std::string_view type) {
-    return has(type, "Vec") || has(type, "Eigen") || has(type, "Mat");
+    return contains(type, "Vec") || contains(type, "Eigen") || contains(type, "Mat");
   };
   if (isVector(from) && isNumber(to)) {
     return "a vector stands where a number is needed: .norm() is its length, a.dot(b) the scalar product";
@@ -106,7 +105,7 @@ std::string explainConversion(std::string_view message) {
 
 std::string explainMember(std::string_view message) {
   const std::string member = quoted(message, 1);
-  if (!has(message, "Eigen::")) return "";
+  if (!contains(message, "Eigen::")) return "";
   if (member == "length" || member == "magnitude" || member == "mag" || member == "len" || member == "abs") {
     return "the length of a vector is .norm(), its square .squaredNorm()";
   }
@@ -119,30 +118,34 @@ std::string explainMember(std::string_view message) {
 }  // namespace
 
 std::string explainMessage(std::string_view message, const std::vector<std::string>& mixed) {
-  if (has(message, "static assertion failed")) return explainStaticAssertion(message, mixed);
-  if (has(message, "no match for 'operator") || has(message, "no match for operator")) return explainOperator(message);
-  if (has(message, "cannot convert '") || has(message, "could not convert '")) return explainConversion(message);
-  if (has(message, "has no member named")) return explainMember(message);
-  if (has(message, "operands to '?:' have different types") && has(message, "Eigen::")) {
+  if (contains(message, "static assertion failed")) return explainStaticAssertion(message, mixed);
+  if (contains(message, "no match for 'operator") || contains(message, "no match for operator"))
+    return explainOperator(message);
+  if (contains(message, "cannot convert '") || contains(message, "could not convert '"))
+    return explainConversion(message);
+  if (contains(message, "has no member named")) return explainMember(message);
+  if (contains(message, "operands to '?:' have different types") && contains(message, "Eigen::")) {
     return "give both branches of ?: one type: c ? Vec3(...) : Vec3(...), or write an if";
   }
-  if (has(message, "discards qualifiers") || has(message, "read-only") || has(message, "of reference to const")) {
+  if (contains(message, "discards qualifiers") || contains(message, "read-only") ||
+      contains(message, "of reference to const")) {
     return "arguments that are const cannot be changed: copy them into a variable of your own";
   }
-  if (has(message, "a function-definition is not allowed here")) return "a { of the function above is never closed";
-  if (has(message, "expected '}' at end of input")) return "a { above is never closed";
-  if (has(message, "redefinition of")) return "it is written twice in the file: keep one";
-  if (has(message, "ambiguating new declaration")) return "the contract gives this function another return type";
-  if (has(message, "no return statement") || has(message, "control reaches end of non-void")) {
+  if (contains(message, "a function-definition is not allowed here"))
+    return "a { of the function above is never closed";
+  if (contains(message, "expected '}' at end of input")) return "a { above is never closed";
+  if (contains(message, "redefinition of")) return "it is written twice in the file: keep one";
+  if (contains(message, "ambiguating new declaration")) return "the contract gives this function another return type";
+  if (contains(message, "no return statement") || contains(message, "control reaches end of non-void")) {
     return "a way through the function returns nothing: what the caller gets is then garbage";
   }
-  if (has(message, "is used uninitialized") || has(message, "may be used uninitialized")) {
+  if (contains(message, "is used uninitialized") || contains(message, "may be used uninitialized")) {
     return "it is read before a value was given to it";
   }
-  if (has(message, "No such file or directory")) {
+  if (contains(message, "No such file or directory")) {
     return "the check finds the contract, the harness, Eigen and the standard library, no other file";
   }
-  if (has(message, "invalid operands of types") && has(message, "operator^")) {
+  if (contains(message, "invalid operands of types") && contains(message, "operator^")) {
     return "^ is no power in C++: write x * x or std::pow(x, 2)";
   }
   return "";

@@ -1,5 +1,6 @@
 #include "base/text/nearest.h"
 #include "base/text/printable.h"
+#include "base/text/words.h"
 #include "course/check/diagnostics.h"
 
 #include <fmt/format.h>
@@ -8,10 +9,6 @@
 namespace muelle {
 
 namespace {
-
-bool isNameCharacter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
 
 /// What stands behind `key` in each line that has it, up to a closing quote or the line's end.
 std::vector<std::string> subjects(std::string_view linkerText, std::string_view key) {

@@ -7,7 +7,7 @@ namespace muelle {
 
 namespace {
 
-constexpr std::array<std::pair<Outcome, std::string_view>, 11> names{{
+constexpr std::array<std::pair<Outcome, std::string_view>, 11> outcomeNames{{
     {Outcome::Passed, "passed"},
     {Outcome::Wrong, "wrong"},
     {Outcome::NeverWritten, "never written"},
@@ -24,14 +24,14 @@ constexpr std::array<std::pair<Outcome, std::string_view>, 11> names{{
 }  // namespace
 
 std::string_view nameOf(Outcome outcome) {
-  for (const auto& [known, name] : names) {
+  for (const auto& [known, name] : outcomeNames) {
     if (known == outcome) return name;
   }
   return "wrong";
 }
 
 Outcome outcomeNamed(std::string_view name) {
-  for (const auto& [outcome, known] : names) {
+  for (const auto& [outcome, known] : outcomeNames) {
     if (known == name) return outcome;
   }
   return Outcome::Wrong;

@@ -1,5 +1,7 @@
 #include "course/check/plain_types.h"
 
+#include "base/text/words.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
@@ -8,10 +10,6 @@
 namespace muelle {
 
 namespace {
-
-bool isNameCharacter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
 
 /// Position after the bracket that closes the one at `open`; the end of the text when none does.
 std::size_t afterClosing(std::string_view text, std::size_t open, char opening, char closing) {

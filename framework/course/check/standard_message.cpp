@@ -1,12 +1,12 @@
 #include "course/check/standard_message.h"
 
+#include "base/text/words.h"
+
 #include <array>
 
 namespace muelle {
 
 namespace {
-
-bool has(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
 /// The container whose member asserts; "container" when it is none of the usual ones.
 std::string container(std::string_view prettyFunction) {
@@ -20,7 +20,7 @@ std::string container(std::string_view prettyFunction) {
                                                                                 {"std::unique_ptr<", "std::unique_ptr"},
                                                                                 {"shared_ptr", "std::shared_ptr"}}};
   for (const auto& [part, name] : names) {
-    if (has(prettyFunction, part)) return std::string(name);
+    if (contains(prettyFunction, part)) return std::string(name);
   }
   return "container";
 }
@@ -29,9 +29,10 @@ std::string container(std::string_view prettyFunction) {
 
 std::string standardMessage(std::string_view condition, std::string_view prettyFunction) {
   const std::string name = container(prettyFunction);
-  if (has(condition, "__n < ") || has(condition, "__pos <")) return "used an index beyond the end of a " + name;
-  if (has(condition, "empty()")) return "asked an empty " + name + " for an element";
-  if (has(condition, "_M_is_engaged") || has(condition, "nullptr") || has(condition, "pointer()")) {
+  if (contains(condition, "__n < ") || contains(condition, "__pos <"))
+    return "used an index beyond the end of a " + name;
+  if (contains(condition, "empty()")) return "asked an empty " + name + " for an element";
+  if (contains(condition, "_M_is_engaged") || contains(condition, "nullptr") || contains(condition, "pointer()")) {
     return "used a " + name + " that holds nothing";
   }
   return "broke a rule of " + name + ": '" + std::string(condition) + "' does not hold";

@@ -18,10 +18,10 @@ constexpr int narrowest = 40;
 constexpr int widest = 160;
 constexpr int shortestName = 12;
 constexpr std::size_t headingEvery = 40;  ///< rows; on the screen there is always a heading, or nearly
-constexpr std::size_t mostHard = 3;
-constexpr std::size_t mostMistakes = 3;
+constexpr std::size_t hardestShown = 3;
+constexpr std::size_t mistakesShown = 3;
 constexpr std::size_t mostNotes = 10;
-constexpr std::size_t noteBytes = 300;
+constexpr std::size_t noteBytesShown = 300;
 
 constexpr const char* missingMark = "-";
 constexpr const char* faultMark = "!";
@@ -193,7 +193,7 @@ class Table {
   void hardest() {
     if (statistics_.criteria.empty()) return;
     title("hardest criteria (how many passed, of those whose file compiled)");
-    for (std::size_t i = 0; i < std::min(mostHard, statistics_.criteria.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(hardestShown, statistics_.criteria.size()); ++i) {
       const CriterionStatistics& criterion = statistics_.criteria[i];
       paragraph("    ",
                 fmt::format("{} of {}  {} ({})", criterion.passed, criterion.judged, criterion.name, criterion.topic));
@@ -203,7 +203,7 @@ class Table {
   void mistakes() {
     if (statistics_.mistakes.empty()) return;
     title("commonest mistakes");
-    for (std::size_t i = 0; i < std::min(mostMistakes, statistics_.mistakes.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(mistakesShown, statistics_.mistakes.size()); ++i) {
       const MistakeStatistics& mistake = statistics_.mistakes[i];
       const std::string who = mistake.students == 1 ? "1 student" : fmt::format("{} students", mistake.students);
       const std::string says = mistake.says.empty() ? "" : ": " + mistake.says;
@@ -236,7 +236,7 @@ class Table {
 
   /// Continued lines stand under the first one's text.
   void paragraph(const std::string& indent, const std::string& line, const char* code = "") {
-    for (const std::string& piece : wrap(cut(printableLine(line), noteBytes), width_ - columns(indent)))
+    for (const std::string& piece : wrap(cut(printableLine(line), noteBytesShown), width_ - columns(indent)))
       text_ += indent + painted(piece, code) + '\n';
   }
 

@@ -19,7 +19,7 @@ namespace muelle::grader {
 
 namespace {
 
-constexpr std::size_t maximalDepth = 64;
+constexpr std::size_t maximalArchiveDepth = 64;
 constexpr int maximalOpen = 2;  ///< an archive in an archive
 
 /// libarchive converts names to the locale's character set; without this a folder named "José" has none in the C
@@ -141,7 +141,7 @@ class OpenArchive {
       name.remove_prefix(std::min(slash + 1, name.size()));
       if (component == "..") return "it leads out of the submission";
       if (!component.empty() && component != ".") path.emplace_back(component);
-      if (path.size() > maximalDepth) return "too deep";
+      if (path.size() > maximalArchiveDepth) return "too deep";
     }
     return "";
   }

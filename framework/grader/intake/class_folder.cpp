@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t shownBytes = 200;
-constexpr std::string_view moodleMark = "_assignsubmission_";
+constexpr std::string_view childMark = "_assignsubmission_";
 constexpr std::array<std::string_view, 17> papers{".csv", ".xls",  ".xlsx", ".ods", ".pdf",  ".txt",
                                                   ".md",  ".html", ".json", ".yml", ".yaml", ".xml",
                                                   ".log", ".docx", ".toml", ".db",  ".ini"};
@@ -32,13 +32,13 @@ struct MoodleName {
 };
 
 std::optional<MoodleName> moodleName(const std::string& raw) {
-  const std::size_t mark = raw.find(moodleMark);
+  const std::size_t mark = raw.find(childMark);
   if (mark == std::string::npos || mark == 0) return std::nullopt;
   const std::size_t line = raw.rfind('_', mark - 1);
   if (line == std::string::npos || line == 0 || line + 1 == mark) return std::nullopt;
   const std::string id = raw.substr(line + 1, mark - line - 1);
   if (id.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
-  return MoodleName{raw.substr(0, line), id, raw.substr(mark + moodleMark.size())};
+  return MoodleName{raw.substr(0, line), id, raw.substr(mark + childMark.size())};
 }
 
 std::string shown(const std::string& raw) { return cut(printableLine(raw), shownBytes); }

@@ -18,8 +18,8 @@ using State = Explanation::State;
 constexpr int pointsWidth = 14;
 constexpr int narrowest = 40;
 constexpr int widest = 110;
-constexpr int diagnosticLines = 8;
-constexpr std::size_t diagnosticBytes = 800;
+constexpr int diagnosticLinesShown = 8;
+constexpr std::size_t diagnosticBytesShown = 800;
 constexpr std::size_t nameBytes = 200;      ///< a name or a title: about three lines
 constexpr std::size_t sentenceBytes = 480;  ///< a sentence or a note: about six lines
 constexpr std::size_t mostNotes = 12;
@@ -85,7 +85,7 @@ class Table {
     const bool ours = exercise.build.status == BuildOutcome::Status::GraderFault;
     paragraph("  ", feedback(exercise.manifest.criteria.front(), exercise).front(), ours ? paint::yellow : paint::red);
     const std::string words = printableText(exercise.build.diagnostics);
-    const std::string kept = cutText(words, diagnosticLines, diagnosticBytes);
+    const std::string kept = cutText(words, diagnosticLinesShown, diagnosticBytesShown);
     std::istringstream shown(kept);
     for (std::string line; std::getline(shown, line);) paragraph("    ", line, paint::dim);
     if (kept != words) paragraph("    ", "all of it stands in report.html", paint::dim);

@@ -12,10 +12,6 @@ namespace {
 
 constexpr const char* program = "/usr/bin/bwrap";
 
-void append(std::vector<std::string>& command, std::initializer_list<std::string> words) {
-  command.insert(command.end(), words);
-}
-
 /// Debian keeps /bin and /lib as links into /usr; the loader's path in every program goes through /lib64.
 void addSystemLinks(std::vector<std::string>& command) {
   for (const char* name : {"bin", "lib", "lib64"}) {

@@ -49,4 +49,8 @@ std::string readMessage(int descriptor, std::size_t bytes) {
   return text;
 }
 
+void append(std::vector<std::string>& command, std::initializer_list<std::string> words) {
+  command.insert(command.end(), words);
+}
+
 }  // namespace muelle::grader

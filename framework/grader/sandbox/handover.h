@@ -1,6 +1,8 @@
 #pragma once
 #include "grader/sandbox/sandbox.h"
 
+#include <initializer_list>
+
 namespace muelle::grader {
 
 /// Descriptors from here on carry files into a sandbox; lower ones are the confined program's.
@@ -12,6 +14,9 @@ Descriptor openForHandover(const VisibleFile& file);
 /// `setpriv ...` when the grader is root: an unassigned user, no groups, no capability, no new privileges. Else
 /// nothing.
 std::vector<std::string> unprivilegedPrefix();
+
+/// Adds words to a command line.
+void append(std::vector<std::string>& command, std::initializer_list<std::string> words);
 
 /// What can be read now and to the end of the stream, at most `bytes`, one line, for a message.
 std::string readMessage(int descriptor, std::size_t bytes);

@@ -15,10 +15,6 @@ namespace fs = std::filesystem;
 
 fs::path helper() { return fs::path(build_paths::binary) / "bin" / "muelle-confine"; }
 
-void append(std::vector<std::string>& command, std::initializer_list<std::string> words) {
-  command.insert(command.end(), words);
-}
-
 constexpr const char* stagedHelper = "muelle-confine";
 
 }  // namespace

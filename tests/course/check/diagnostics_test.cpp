@@ -8,20 +8,20 @@
 namespace muelle {
 namespace {
 
-const std::vector<StudentFile> files{{"spring.cpp",
-                                      "#include \"spring.h\"\n"
-                                      "\n"
-                                      "Vec3 f(const Vec3& a, const Vec3& b) {\n"
-                                      "  const Vec3 d = a - b\n"
-                                      "  return d - 1.0;\n"
-                                      "}\n"}};
+const std::vector<StudentFile> springFiles{{"spring.cpp",
+                                            "#include \"spring.h\"\n"
+                                            "\n"
+                                            "Vec3 f(const Vec3& a, const Vec3& b) {\n"
+                                            "  const Vec3 d = a - b\n"
+                                            "  return d - 1.0;\n"
+                                            "}\n"}};
 
 TEST(Diagnostics, ShowsTheStudentsLineWithACaret) {
   EXPECT_EQ(cutDiagnostics("spring.cpp: In function 'Vec3 f(const Vec3&, const Vec3&)':\n"
                            "dir/spring.cpp:5:10: error: 'e' was not declared in this scope\n"
                            "    5 |   return e - 1.0;\n"
                            "      |          ^\n",
-                           files),
+                           springFiles),
             "spring.cpp:5:10: error: 'e' was not declared in this scope\n"
             "    5 |   return d - 1.0;\n"
             "      |          ^\n");
@@ -42,7 +42,7 @@ TEST(Diagnostics, LeadsFromInsideEigenToTheStudentsLine) {
       "/usr/include/eigen3/Eigen/src/Core/AssignEvaluator.h:887:3: error: static assertion failed: "
       "YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES\n"
       "/usr/include/eigen3/Eigen/src/Core/AssignEvaluator.h:887:3: note: '(((((int)...' evaluates to false\n",
-      files);
+      springFiles);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].file, "spring.cpp");
   EXPECT_EQ(found[0].line, 4);
@@ -56,7 +56,7 @@ TEST(Diagnostics, ANumberTypeMixedInEigenIsTranslated) {
       "spring.cpp:4:18:   required from here\n"
       "/usr/E.h:888:3: error: static assertion failed: "
       "YOU_MIXED_DIFFERENT_NUMERIC_TYPES__YOU_NEED_TO_USE_THE_CAST_METHOD\n",
-      files);
+      springFiles);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NE(found[0].message.find("float, int and double do not mix"), std::string::npos);
 }
@@ -69,14 +69,14 @@ TEST(Diagnostics, OperatorsNameTheirOperands) {
       "and 'double')\n"
       "/usr/E.h:19:1: note: candidate: 'template<class OtherDerived> ...'\n"
       "spring.cpp:5:12: note:   mismatched types 'const Eigen::MatrixBase<Derived>' and 'double'\n",
-      files);
+      springFiles);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].message, "no match for 'operator-' (operand types are 'const Vec3' and 'double')");
   EXPECT_NE(found[0].explanation.find("a number and a vector do not add up"), std::string::npos);
 }
 
 TEST(Diagnostics, ASemicolonIsMissingWhereTheLineBeforeEnds) {
-  const auto found = parseDiagnostics("spring.cpp:5:3: error: expected ',' or ';' before 'return'\n", files);
+  const auto found = parseDiagnostics("spring.cpp:5:3: error: expected ',' or ';' before 'return'\n", springFiles);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].explanation, "a semicolon is missing, most likely at the end of line 4");
 }
@@ -87,7 +87,7 @@ TEST(Diagnostics, AVectorForANumberIsExplained) {
       "Eigen::CwiseBinaryOp<Eigen::internal::scalar_difference_op<double, "
       "double>, const Eigen::Matrix<double, 3, 1>, const Eigen::Matrix<double, 3, 1> >' to 'double' in "
       "initialization\n",
-      files);
+      springFiles);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].message, "cannot convert 'Eigen expression' to 'double' in initialization");
   EXPECT_NE(found[0].explanation.find(".norm()"), std::string::npos);
@@ -97,7 +97,7 @@ TEST(Diagnostics, AnotherReturnTypeQuotesTheContract) {
   const auto found = parseDiagnostics(
       "spring.cpp:3:8: error: ambiguating new declaration of 'double f(const muelle::Vec3&)'\n"
       "spring.h:4:6: note: old declaration 'muelle::Vec3 f(const muelle::Vec3&)'\n",
-      files);
+      springFiles);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].explanation, "the contract gives this function another return type: Vec3 f(const Vec3&)");
 }
@@ -105,9 +105,9 @@ TEST(Diagnostics, AnotherReturnTypeQuotesTheContract) {
 TEST(Diagnostics, OneErrorALineAndWarningsOnlyWhenNothingIsWrong) {
   const std::string warning = "spring.cpp:3:12: warning: unused parameter 'a' [-Wunused-parameter]\n";
   const std::string errors = "spring.cpp:5:3: error: one\nspring.cpp:5:9: error: two\nspring.cpp:6:1: error: three\n";
-  EXPECT_EQ(parseDiagnostics(warning, files).size(), 1U);
-  EXPECT_FALSE(parseDiagnostics(warning, files)[0].isError);
-  const auto found = parseDiagnostics(warning + errors, files);
+  EXPECT_EQ(parseDiagnostics(warning, springFiles).size(), 1U);
+  EXPECT_FALSE(parseDiagnostics(warning, springFiles)[0].isError);
+  const auto found = parseDiagnostics(warning + errors, springFiles);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].message, "one");
   EXPECT_EQ(found[1].message, "three");
@@ -128,19 +128,19 @@ TEST(Diagnostics, QuotesNoFileButTheStudents) {
       "/hidden/secret_test.cpp:3:1: error: expected unqualified-id before numeric constant\n"
       "    3 | 42 is the answer\n"
       "      | ^~\n",
-      files);
+      springFiles);
   EXPECT_EQ(shown, "secret_test.cpp:3: error: expected unqualified-id before numeric constant\n");
 }
 
 TEST(Diagnostics, EscapesWhatATerminalWouldObey) {
-  EXPECT_EQ(cutDiagnostics("spring.cpp:2:1: error: #error \x1b[2J\n", files).find('\x1b'), std::string::npos);
+  EXPECT_EQ(cutDiagnostics("spring.cpp:2:1: error: #error \x1b[2J\n", springFiles).find('\x1b'), std::string::npos);
 }
 
 TEST(Diagnostics, SurvivesNonsense) {
-  EXPECT_EQ(cutDiagnostics("", files), "");
-  EXPECT_EQ(cutDiagnostics(": error: \n:::\n   required from here\n", files), ":0: error: \n");
-  EXPECT_NE(cutDiagnostics("spring.cpp:99999999:1: error: x\n", files), "");
-  EXPECT_NE(cutDiagnostics("spring.cpp:-5:-1: error: x\n", files), "");
+  EXPECT_EQ(cutDiagnostics("", springFiles), "");
+  EXPECT_EQ(cutDiagnostics(": error: \n:::\n   required from here\n", springFiles), ":0: error: \n");
+  EXPECT_NE(cutDiagnostics("spring.cpp:99999999:1: error: x\n", springFiles), "");
+  EXPECT_NE(cutDiagnostics("spring.cpp:-5:-1: error: x\n", springFiles), "");
 }
 
 }  // namespace

@@ -8,14 +8,14 @@
 namespace muelle {
 namespace {
 
-const std::string contract =
+const std::string springContract =
     "/// Force on a: springForce(xa, xb, k, L0)\n"
     "Vec3 springForce(const Vec3& xa, const Vec3& xb,\n"
     "                 double k, double L0);\n"
     "double lumpedMass(double M, int n);\n";
 
 std::string explain(const std::string& linkerText, const std::string& source) {
-  return explainLinkErrors(linkerText, {{"spring.cpp", source}}, contract, "spring.h");
+  return explainLinkErrors(linkerText, {{"spring.cpp", source}}, springContract, "spring.h");
 }
 
 const std::string mold =

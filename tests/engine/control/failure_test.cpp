@@ -15,8 +15,7 @@ namespace muelle::engine {
 namespace {
 
 using testing::LinearSystem;
-
-State oscillatorAt(double x, double v) { return {0.0, {x}, {v}, {}}; }
+using testing::oscillatorAt;
 
 RunOptions plain(double h, double duration) {
   RunOptions options;

@@ -11,8 +11,7 @@ namespace muelle::engine {
 namespace {
 
 using testing::LinearSystem;
-
-State oscillatorAt(double x, double v) { return {0.0, {x}, {v}, {}}; }
+using testing::oscillatorAt;
 
 TEST(FixedStep, EndsExactlyAndShortensOnlyTheLastStep) {
   const LinearSystem system(1.0, 0.0);

@@ -5,6 +5,9 @@
 
 namespace muelle::engine::testing {
 
+/// The state of one unknown at t = 0.
+inline State oscillatorAt(double x, double v) { return {0.0, {x}, {v}, {}}; }
+
 /// Balls that fall on a plane z = 0 of stiffness k, damped by d, each alone: F = -m g + max(0, -k z - d v) while z < 0.
 /// z_i of the internal variables: 0 live, 1 open, 2 closed. One guard a ball: the height while open, the contact's
 /// force while closed.

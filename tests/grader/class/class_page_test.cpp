@@ -1,3 +1,4 @@
+#include "base/text/words.h"
 #include "grader/class/class_table.h"
 #include "grader/report/page.h"
 #include "sample_class.h"
@@ -11,8 +12,6 @@
 namespace muelle::grader {
 namespace {
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 /// The page without its style sheet, which holds no text of a submission.
 std::string body(const GradedClass& graded) {
   const std::string page = classPage(graded);
@@ -21,12 +20,12 @@ std::string body(const GradedClass& graded) {
 
 TEST(ClassPage, ShowsEachStudentWithPointsAndALinkToTheReport) {
   const std::string page = body(classOfOneExercise({student(1, {4, 0}, {1, 1}), studentWithoutFile(2)}));
-  EXPECT_TRUE(has(page,
-                  "<th scope=\"row\"><a href=\"reports/student%2001/report.html\">student 01</a></th><td "
-                  "class=\"part\">5.5</td><td class=\"sum\">5.5</td>"))
+  EXPECT_TRUE(contains(page,
+                       "<th scope=\"row\"><a href=\"reports/student%2001/report.html\">student 01</a></th><td "
+                       "class=\"part\">5.5</td><td class=\"sum\">5.5</td>"))
       << page;
-  EXPECT_TRUE(has(page, "not handed in: 0 points\">–</td><td class=\"sum\">0</td>"));
-  EXPECT_FALSE(has(page, "No score"));
+  EXPECT_TRUE(contains(page, "not handed in: 0 points\">–</td><td class=\"sum\">0</td>"));
+  EXPECT_FALSE(contains(page, "No score"));
 }
 
 TEST(ClassPage, WhatHasNoScoreStandsOnTop) {
@@ -36,27 +35,28 @@ TEST(ClassPage, WhatHasNoScoreStandsOnTop) {
                     histogram = page.find("<svg class=\"hist");
   EXPECT_LT(why, histogram);
   EXPECT_NE(histogram, std::string::npos);
-  EXPECT_TRUE(has(page, "<td class=\"sum none\">no score</td>"));
+  EXPECT_TRUE(contains(page, "<td class=\"sum none\">no score</td>"));
 }
 
 TEST(ClassPage, NamesWhatWasHardestAndCommonest) {
   const std::string page =
       body(classOfOneExercise({withMistake(student(1, {0, 1}, {3, 0}), "wrong_sign"), student(2, {4, 0}, {3, 0})}));
-  EXPECT_TRUE(has(page, "<b>50 %</b> (1 of 2)"));
-  EXPECT_TRUE(has(page, "Your force has the right size and the wrong sign"));
-  EXPECT_TRUE(has(page, "spring_1d, wrong_sign"));
+  EXPECT_TRUE(contains(page, "<b>50 %</b> (1 of 2)"));
+  EXPECT_TRUE(contains(page, "Your force has the right size and the wrong sign"));
+  EXPECT_TRUE(contains(page, "spring_1d, wrong_sign"));
 }
 
 TEST(ClassPage, ForbidsScriptsAndOutsideResources) {
   const std::string page = classPage(sampleClass(30));
-  EXPECT_TRUE(has(page,
-                  "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-                  "'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\">"));
-  for (const char* part : {"http://", "https://", "url(", "@import", "<script"}) EXPECT_FALSE(has(page, part)) << part;
+  EXPECT_TRUE(contains(page,
+                       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
+                       "'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\">"));
+  for (const char* part : {"http://", "https://", "url(", "@import", "<script"})
+    EXPECT_FALSE(contains(page, part)) << part;
 }
 
 TEST(ClassPage, AClassWithoutAnyScoreHasAPage) {
-  EXPECT_TRUE(has(body(classOfOneExercise({unreadable(1, "broken")})), "median <b>no score</b>"));
+  EXPECT_TRUE(contains(body(classOfOneExercise({unreadable(1, "broken")})), "median <b>no score</b>"));
 }
 
 TEST(RelativeLink, IsAPathAndNothingElse) {

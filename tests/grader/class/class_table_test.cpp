@@ -1,8 +1,10 @@
 #include "grader/class/class_table.h"
 #include "base/text/utf8.h"
+#include "base/text/words.h"
 #include "sample_class.h"
 
 #include "support/hostile_texts.h"
+#include "support/lines.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -11,21 +13,12 @@
 namespace muelle::grader {
 namespace {
 
-std::vector<std::string> linesOf(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
 std::string lineWith(const std::string& text, const std::string& start) {
   for (const std::string& line : linesOf(text)) {
     if (line.starts_with(start)) return line;
   }
   return "no line begins with " + start;
 }
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(ClassTable, HasALineAStudentAndTheMedians) {
   const std::string text = classTable(
@@ -35,16 +28,16 @@ TEST(ClassTable, HasALineAStudentAndTheMedians) {
   EXPECT_EQ(lineWith(text, "student 03"), "student 03    -      0");
   EXPECT_EQ(lineWith(text, "median"), "median      5.5    5.5");
   EXPECT_EQ(lineWith(text, "handed in"), "handed in     2      3");
-  EXPECT_TRUE(has(text, "1  spring_1d  A spring in one dimension"));
-  EXPECT_FALSE(has(text, "no score"));
+  EXPECT_TRUE(contains(text, "1  spring_1d  A spring in one dimension"));
+  EXPECT_FALSE(contains(text, "no score"));
 }
 
 TEST(ClassTable, NamesWhatWasHardestAndCommonest) {
   const std::string text = classTable(
       classOfOneExercise({withMistake(student(1, {0, 1}, {3, 0}), "wrong_sign"), student(2, {4, 0}, {3, 0})}), false,
       100);
-  EXPECT_TRUE(has(text, "1 of 2  Hooke's force on both nodes (spring_1d)"));
-  EXPECT_TRUE(has(text, "1 student  wrong_sign (spring_1d): Your force has the right size")) << text;
+  EXPECT_TRUE(contains(text, "1 of 2  Hooke's force on both nodes (spring_1d)"));
+  EXPECT_TRUE(contains(text, "1 student  wrong_sign (spring_1d): Your force has the right size")) << text;
 }
 
 TEST(ClassTable, SaysWhoHasNoScoreAndWhatIsNoSubmission) {
@@ -54,9 +47,9 @@ TEST(ClassTable, SaysWhoHasNoScoreAndWhatIsNoSubmission) {
   const std::string text = classTable(graded, false, 100);
   EXPECT_EQ(lineWith(text, "student 01"), "student 01    !  no score");
   EXPECT_EQ(lineWith(text, "student 02"), "student 02    !  no score");
-  EXPECT_TRUE(has(text, "    student 01: the archive is broken"));
-  EXPECT_TRUE(has(text, "disk full"));
-  EXPECT_TRUE(has(text, "    list.xlsx is no submission"));
+  EXPECT_TRUE(contains(text, "    student 01: the archive is broken"));
+  EXPECT_TRUE(contains(text, "disk full"));
+  EXPECT_TRUE(contains(text, "    list.xlsx is no submission"));
 }
 
 TEST(ClassTable, FitsItsWidth) {
@@ -71,7 +64,7 @@ TEST(ClassTable, CutsANameThatLeavesNoRoomForThePoints) {
   graded.rows[1].student = std::string(200, 'x');
   const std::string line = lineWith(classTable(graded, false, 60), "xxxx");
   EXPECT_EQ(columns(line), 60);
-  EXPECT_TRUE(has(line, "x…"));
+  EXPECT_TRUE(contains(line, "x…"));
   EXPECT_EQ(columns(lineWith(classTable(graded, false, 60), "student 01")), 60);
 }
 
@@ -81,7 +74,7 @@ TEST(ClassTable, ANarrowTerminalShowsTheTotalsAlone) {
   graded.course.insert(graded.course.end(), half.begin(), half.end());
   const std::string text = classTable(graded, false, 40);
   EXPECT_EQ(linesOf(text)[0].find('1'), std::string::npos);
-  EXPECT_TRUE(has(text, "too narrow"));
+  EXPECT_TRUE(contains(text, "too narrow"));
 }
 
 TEST(ClassTable, AClassOf300StaysReadable) {
@@ -96,7 +89,7 @@ TEST(ClassTable, AClassOf300StaysReadable) {
 
 TEST(ClassTable, HasEscapesOnlyInColour) {
   EXPECT_EQ(classTable(sampleClass(30), false, 80).find('\x1b'), std::string::npos);
-  EXPECT_TRUE(has(classTable(sampleClass(30), true, 80), "\x1b[32m"));
+  EXPECT_TRUE(contains(classTable(sampleClass(30), true, 80), "\x1b[32m"));
 }
 
 TEST(ClassTable, ShowsAnyTextAsTextAndInsideItsWidth) {

@@ -2,6 +2,7 @@
 #include "sample_class.h"
 
 #include "support/hostile_texts.h"
+#include "support/lines.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -9,13 +10,6 @@
 
 namespace muelle::grader {
 namespace {
-
-std::vector<std::string> linesOf(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
 
 /// The fields of one line (RFC 4180).
 std::vector<std::string> fieldsOf(const std::string& line) {

@@ -7,7 +7,7 @@ namespace {
 
 using namespace muelle::grader;
 
-muelle::Manifest manifest() {
+muelle::Manifest titledManifest() {
   muelle::Manifest result;
   result.topic = "spring";
   result.title = "A spring";
@@ -50,7 +50,7 @@ TEST(KillMatrix, RowIsExactOrNot) {
 
 TEST(KillMatrix, AllMeansNoPartialPointEither) {
   MatrixRow zero = row(MatrixRow::Kind::Wrong, {}, {"HookeForce", "HeldFast", "ZeroLength"});
-  zero.expected = noPoints(manifest());
+  zero.expected = noPoints(titledManifest());
   EXPECT_TRUE(zero.exact());
   zero.points = 0.5;
   EXPECT_FALSE(zero.exact());
@@ -67,7 +67,7 @@ TEST(KillMatrix, MutantNeedsItsReasonAndNoOther) {
 
 TEST(KillMatrix, SummaryCounts) {
   TopicMatrix matrix;
-  matrix.manifest = manifest();
+  matrix.manifest = titledManifest();
   matrix.rows = {row(MatrixRow::Kind::Right, {}, {"HookeForce"}),
                  row(MatrixRow::Kind::Wrong, {"HookeForce"}, {"HookeForce"})};
   matrix.rows[1].expected.named = {"wrong_sign"};
@@ -91,12 +91,12 @@ TEST(KillMatrix, SummaryCounts) {
 }
 
 TEST(KillMatrix, ColumnsHaveDifferentCodes) {
-  EXPECT_EQ(columnCodes(manifest()), (std::vector<std::string>{"HF", "HF2", "ZL"}));
+  EXPECT_EQ(columnCodes(titledManifest()), (std::vector<std::string>{"HF", "HF2", "ZL"}));
 }
 
 TEST(KillMatrix, MarksWhatIsOtherwise) {
   TopicMatrix matrix;
-  matrix.manifest = manifest();
+  matrix.manifest = titledManifest();
   matrix.rows = {row(MatrixRow::Kind::Wrong, {"HookeForce", "HeldFast"}, {"HookeForce", "ZeroLength"})};
   matrix.mutants = {mutant(Mutant::Fate::Survived, "")};
   const std::string text = matrixText(matrix);
@@ -110,7 +110,7 @@ TEST(KillMatrix, MarksWhatIsOtherwise) {
 
 TEST(KillMatrix, CsvHasALineACriterion) {
   TopicMatrix matrix;
-  matrix.manifest = manifest();
+  matrix.manifest = titledManifest();
   matrix.rows = {row(MatrixRow::Kind::Wrong, {"HookeForce"}, {"HookeForce"})};
   EXPECT_EQ(matrixCsv({matrix}),
             "topic,kind,name,criterion,expected,observed,misconceptions\n"

@@ -24,8 +24,8 @@ Confinement confinementOf(const Manifest& manifest, const Sources& sources) {
   for (const char* folder : {"/usr/lib64", "/etc/alternatives"}) {
     if (fs::exists(folder)) confinement.systemFolders.emplace_back(folder);
   }
-  const fs::path source = build_paths::source;
-  for (const std::string& folder : {(source / "framework").string(), (source / "exercises").string(),
+  const fs::path checkout = build_paths::source;
+  for (const std::string& folder : {(checkout / "framework").string(), (checkout / "exercises").string(),
                                     std::string(build_paths::binary), std::string(build_paths::eigen)}) {
     if (!folder.starts_with("/usr/")) confinement.renamedFolders[folder] = folder;
   }

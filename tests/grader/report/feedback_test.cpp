@@ -23,8 +23,8 @@ const std::string says =
     "Your force has the right size and the wrong sign: F_a points from a towards b when the spring is stretched.";
 const std::string mend = "Check which node the unit vector starts at, with xa = 0, xb = 2 and L0 = 1.";
 const std::string hint = "hint: look at the sign of the elongation L - L0";
-const std::string property = "not yet: The force obeys law number 0.";
-const std::string call = "springForce(0.5, 3.25, 100, 1)";
+const std::string law = "not yet: The force obeys law number 0.";
+const std::string called = "springForce(0.5, 3.25, 100, 1)";
 const std::string values = "  springForce(xa, xb, k, L0): got -2.5, expected 2.5 (difference -5, tolerance 1e-12)";
 
 TEST(Feedback, IsEmptyForAPassedCriterion) {
@@ -32,16 +32,16 @@ TEST(Feedback, IsEmptyForAPassedCriterion) {
 }
 
 TEST(Feedback, NamesTheMisconceptionFirst) {
-  EXPECT_EQ(hookeFeedback(failing(FeedbackLevel::Values, true)), (Lines{says, mend, property, call, values}));
+  EXPECT_EQ(hookeFeedback(failing(FeedbackLevel::Values, true)), (Lines{says, mend, law, called, values}));
 }
 
 TEST(Feedback, EndsWithTheCriterionsHintWhenNoMistakeWasNamed) {
-  EXPECT_EQ(hookeFeedback(failing(FeedbackLevel::Values, false)), (Lines{property, call, values, hint}));
+  EXPECT_EQ(hookeFeedback(failing(FeedbackLevel::Values, false)), (Lines{law, called, values, hint}));
 }
 
 TEST(Feedback, AtLevelPropertyTellsNoValues) {
-  EXPECT_EQ(hookeFeedback(failing(FeedbackLevel::Property, true)), (Lines{says, mend, property}));
-  EXPECT_EQ(hookeFeedback(failing(FeedbackLevel::Property, false)), (Lines{property, hint}));
+  EXPECT_EQ(hookeFeedback(failing(FeedbackLevel::Property, true)), (Lines{says, mend, law}));
+  EXPECT_EQ(hookeFeedback(failing(FeedbackLevel::Property, false)), (Lines{law, hint}));
 }
 
 TEST(Feedback, AtLevelCriterionTellsOnlyTheHint) {
@@ -54,7 +54,7 @@ TEST(Feedback, AtLevelCriterionTellsOnlyTheHint) {
 TEST(Feedback, PutsTheFaultBeforeTheProperty) {
   GradedExercise exercise = failing(FeedbackLevel::Property, false);
   exercise.verdicts.at("HookeForce").fault = "springForce ran for more than 2 s";
-  EXPECT_EQ(hookeFeedback(exercise), (Lines{"springForce ran for more than 2 s", property, hint}));
+  EXPECT_EQ(hookeFeedback(exercise), (Lines{"springForce ran for more than 2 s", law, hint}));
 }
 
 TEST(Feedback, OfAFaultIsToldAtEveryLevel) {
@@ -103,7 +103,7 @@ TEST(Feedback, ShowsEveryCallOnce) {
   other.unit = "N";
   mismatches = {mismatches.front(), mismatches.front(), other};
   EXPECT_EQ(hookeFeedback(exercise),
-            (Lines{says, mend, property, call, values, values, "springForce(7, 8, 9, 1)",
+            (Lines{says, mend, law, called, values, values, "springForce(7, 8, 9, 1)",
                    "  force on a: got -2.5 N, expected 2.5 N (difference -5, tolerance 1e-12)"}));
 }
 
@@ -112,13 +112,13 @@ TEST(Feedback, ShowsTheFirstFewFailures) {
   auto& mismatches = exercise.verdicts.at("HookeForce").tests[1].mismatches;
   mismatches.resize(6, mismatches.front());
   EXPECT_EQ(hookeFeedback(exercise),
-            (Lines{says, mend, property, call, values, values, values, values, "  ... and 2 more"}));
+            (Lines{says, mend, law, called, values, values, values, values, "  ... and 2 more"}));
 }
 
 TEST(Feedback, EndsWithHowTheFileWasTaken) {
   GradedExercise exercise = failing(FeedbackLevel::Property, false);
   exercise.note = "taken from spring_1d (1).cpp";
-  EXPECT_EQ(hookeFeedback(exercise), (Lines{property, hint, "note: taken from spring_1d (1).cpp"}));
+  EXPECT_EQ(hookeFeedback(exercise), (Lines{law, hint, "note: taken from spring_1d (1).cpp"}));
   exercise.build = {BuildOutcome::Status::Missing, "", ""};
   EXPECT_EQ(hookeFeedback(exercise), (Lines{"spring_1d.cpp was not handed in", "note: taken from spring_1d (1).cpp"}));
 }
@@ -133,7 +133,7 @@ TEST(Feedback, TellsTheGradersFaultApart) {
 TEST(Feedback, IgnoresAnUnknownMisconception) {
   GradedExercise exercise = failing(FeedbackLevel::Property, false);
   exercise.verdicts.at("HookeForce").misconceptions = {{"invented", "springForce"}};
-  EXPECT_EQ(hookeFeedback(exercise), (Lines{property, hint}));
+  EXPECT_EQ(hookeFeedback(exercise), (Lines{law, hint}));
 }
 
 TEST(Feedback, IsPrintable) {

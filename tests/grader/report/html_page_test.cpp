@@ -1,3 +1,4 @@
+#include "base/text/words.h"
 #include "grader/report/report.h"
 #include "sample.h"
 #include "well_formed.h"
@@ -8,8 +9,6 @@
 
 namespace muelle::grader {
 namespace {
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// The page without its style sheet, which holds no text of a submission.
 std::string body(const GradedSubmission& graded) {
@@ -26,10 +25,10 @@ std::size_t count(const std::string& text, const std::string& part) {
 TEST(HtmlPage, ShowsEveryCriterionWithItsPoints) {
   const std::string page = body(sampleSubmission());
   EXPECT_EQ(count(page, "<div class=\"criterion "), 10u);
-  EXPECT_TRUE(has(page, "<b>9</b> of 35"));
-  EXPECT_TRUE(has(page, "García Núñez, Inés.zip"));
-  EXPECT_TRUE(has(page, "&#39;normal&#39; was not declared in this scope"));
-  EXPECT_TRUE(has(page, "damping.cpp was not handed in"));
+  EXPECT_TRUE(contains(page, "<b>9</b> of 35"));
+  EXPECT_TRUE(contains(page, "García Núñez, Inés.zip"));
+  EXPECT_TRUE(contains(page, "&#39;normal&#39; was not declared in this scope"));
+  EXPECT_TRUE(contains(page, "damping.cpp was not handed in"));
 }
 
 TEST(HtmlPage, PutsTheMistakeBeforeThePropertyBeforeTheValues) {
@@ -48,17 +47,17 @@ TEST(HtmlPage, ShowsGotAndExpectedFromTheNumbersWhateverTheNamesSay) {
   m.label = "f: got 7, expected 8 (x";
   m.unit = "N";
   std::string page = body(graded);
-  EXPECT_TRUE(has(page,
-                  "<p class=\"what\">f: got 7, expected 8 (x</p>\n<dl><dt>got</dt><dd class=\"got\">-2.5 N</dd>"
-                  "<dt>expected</dt><dd><span class=\"wanted\">2.5 N</span><span class=\"rest\"> (difference -5, "
-                  "tolerance 1e-12)</span></dd></dl>"));
+  EXPECT_TRUE(contains(page,
+                       "<p class=\"what\">f: got 7, expected 8 (x</p>\n<dl><dt>got</dt><dd class=\"got\">-2.5 N</dd>"
+                       "<dt>expected</dt><dd><span class=\"wanted\">2.5 N</span><span class=\"rest\"> (difference -5, "
+                       "tolerance 1e-12)</span></dd></dl>"));
   m.label = "";
   m.got = std::numeric_limits<double>::quiet_NaN();
   page = body(graded);
-  EXPECT_TRUE(has(page, "<dd class=\"got\">nan, which is not a finite number</dd>"));
+  EXPECT_TRUE(contains(page, "<dd class=\"got\">nan, which is not a finite number</dd>"));
   m.gotRows = 3;
   page = body(graded);
-  EXPECT_TRUE(has(page, "<dd class=\"got\">3 components</dd>"));
+  EXPECT_TRUE(contains(page, "<dd class=\"got\">3 components</dd>"));
 }
 
 TEST(HtmlPage, SaysWhatWasNeverWrittenBeforeTheMistake) {
@@ -71,36 +70,36 @@ TEST(HtmlPage, SaysWhatWasNeverWrittenBeforeTheMistake) {
 TEST(HtmlPage, ShowsHowTheFileWasTaken) {
   GradedSubmission graded = sampleSubmission();
   graded.exercises[0].note = "taken from <b>.cpp";
-  EXPECT_TRUE(has(body(graded), "taken from &lt;b&gt;.cpp"));
+  EXPECT_TRUE(contains(body(graded), "taken from &lt;b&gt;.cpp"));
 }
 
 TEST(HtmlPage, HasTheCurvesAsImages) {
   const std::string page = body(sampleSubmission());
   EXPECT_EQ(count(page, " src=\"data:image/svg+xml;base64,"), 3u);
   EXPECT_EQ(count(page, " src="), 3u);
-  EXPECT_TRUE(has(page, "No curves: the demo stopped"));
+  EXPECT_TRUE(contains(page, "No curves: the demo stopped"));
 }
 
 TEST(HtmlPage, ForbidsScriptsAndOutsideResources) {
   const std::string page = htmlPage(sampleSubmission());
   EXPECT_TRUE(
-      has(page,
-          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
-          "img-src data:; base-uri 'none'; form-action 'none'\">"));
-  EXPECT_FALSE(has(page, "http://"));
-  EXPECT_FALSE(has(page, "https://"));
-  EXPECT_FALSE(has(page, "url("));
+      contains(page,
+               "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
+               "img-src data:; base-uri 'none'; form-action 'none'\">"));
+  EXPECT_FALSE(contains(page, "http://"));
+  EXPECT_FALSE(contains(page, "https://"));
+  EXPECT_FALSE(contains(page, "url("));
 }
 
 TEST(HtmlPage, SaysWhenTheGraderFailed) {
   GradedSubmission graded = sampleSubmission();
-  EXPECT_FALSE(has(body(graded), "class=\"warning\""));
+  EXPECT_FALSE(contains(body(graded), "class=\"warning\""));
   graded.exercises[0].verdicts.at("HookeForce").graderFault = "disk full";
   const std::string page = body(graded);
-  EXPECT_TRUE(has(page, "class=\"warning\""));
-  EXPECT_TRUE(has(page, "<b>no score</b> / 4"));
-  EXPECT_TRUE(has(page, "<b>no score</b> of 35"));
-  EXPECT_TRUE(has(htmlPage(graded), "<title>no score / 35"));
+  EXPECT_TRUE(contains(page, "class=\"warning\""));
+  EXPECT_TRUE(contains(page, "<b>no score</b> / 4"));
+  EXPECT_TRUE(contains(page, "<b>no score</b> of 35"));
+  EXPECT_TRUE(contains(htmlPage(graded), "<title>no score / 35"));
 }
 
 TEST(HtmlPage, TextOfASubmissionIsOnlyText) {

@@ -1,19 +1,13 @@
 #include "base/text/utf8.h"
 #include "grader/report/report.h"
 #include "sample.h"
+#include "support/lines.h"
 
 #include <gtest/gtest.h>
 #include <sstream>
 
 namespace muelle::grader {
 namespace {
-
-std::vector<std::string> linesOf(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
 
 TEST(TerminalTable, ShowsPointsCriteriaAndTheFirstLineOfTheFeedback) {
   const std::string text = terminalTable(sampleSubmission(), false, 100);

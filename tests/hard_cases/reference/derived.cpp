@@ -9,7 +9,7 @@ namespace muelle::hard_cases {
 namespace {
 
 const Quad pi = quad("3.14159265358979323846264338327950288419716939937510");
-const Quad g = quad("9.81");
+const Quad earth = quad("9.81");
 
 void circle(std::vector<Derived>& all) {
   const Quad r = quad("0.8175"), angle = 40;
@@ -43,7 +43,7 @@ void chain(std::vector<Derived>& all) {
 
 void heavyBelowLightInOneDimension(std::vector<Derived>& all) {
   const Quad k = 100000000, m1 = 1, m2 = 1000000;
-  const Quad z1 = -(1 + (m1 + m2) * g / k), z2 = z1 - 1 - m2 * g / k;
+  const Quad z1 = -(1 + (m1 + m2) * earth / k), z2 = z1 - 1 - m2 * earth / k;
   all.push_back({"H12", "static.z1", z1});
   all.push_back({"H12", "static.z2", z2});
   // u'' = -A u, A = [[2k/m1, -k/m1], [-k/m2, k/m2]]: eigenvalues by the stable form of the quadratic.
@@ -69,9 +69,9 @@ void heavyBelowLightSwings(std::vector<Derived>& all, Quad tolerance) {
     const Quad s1 = k * (1 - 1 / l1), s2 = k * (1 - 1 / l2);
     for (std::size_t i = 0; i < 4; ++i) f[i] = y[4 + i];
     f[4] = (-s1 * y[0] + s2 * ux) / m1;
-    f[5] = (-s1 * y[1] + s2 * uz) / m1 - g;
+    f[5] = (-s1 * y[1] + s2 * uz) / m1 - earth;
     f[6] = -s2 * ux / m2;
-    f[7] = -s2 * uz / m2 - g;
+    f[7] = -s2 * uz / m2 - earth;
   };
   const QuadVector y =
       integrate(slope, {quad("0.6"), quad("-0.8"), quad("1.2"), quad("-1.6"), 0, 0, 0, 0}, 0, 1, tolerance);
@@ -122,11 +122,11 @@ void friction(std::vector<Derived>& all) {
   const Quad mu = Quad(1) / 2;
   for (const char* degrees : {"26.5", "26.6", "30"}) {
     const Quad angle = quad(degrees) * pi / 180;
-    const Quad a = fmaxq(Quad(0), g * (sinq(angle) - mu * cosq(angle)));
+    const Quad a = fmaxq(Quad(0), earth * (sinq(angle) - mu * cosq(angle)));
     all.push_back({"H20", std::string("slide(") + degrees + ")", 50 * a});
   }
-  all.push_back({"H20", "flat.t_stop", 3 / (mu * g)});
-  all.push_back({"H20", "flat.distance", Quad(9) / (2 * mu * g)});
+  all.push_back({"H20", "flat.t_stop", 3 / (mu * earth)});
+  all.push_back({"H20", "flat.distance", Quad(9) / (2 * mu * earth)});
 }
 
 void pulse(std::vector<Derived>& all) {
@@ -155,7 +155,7 @@ QuadVector elasticPendulum(Quad k, Quad x, Quad z, Quad duration, Quad tolerance
     f[0] = y[2];
     f[1] = y[3];
     f[2] = -k * (1 - 1 / L) * y[0];
-    f[3] = -k * (1 - 1 / L) * y[1] - g;
+    f[3] = -k * (1 - 1 / L) * y[1] - earth;
   };
   return integrate(slope, {x, z, 0, 0}, 0, duration, tolerance);
 }

@@ -8,7 +8,7 @@ namespace muelle::engine {
 
 namespace {
 
-MethodInfo describe() {
+MethodInfo dop853Info() {
   MethodInfo info;
   info.id = "dop853";
   info.name = "Dormand-Prince 8(5,3)";
@@ -32,7 +32,7 @@ constexpr double third[] = {0.244094488188976377952755905512, 0.7338466882816118
 
 class DormandPrince853 : public ExplicitRungeKutta {
  public:
-  DormandPrince853() : ExplicitRungeKutta(describe(), dop853Tableau()) {
+  DormandPrince853() : ExplicitRungeKutta(dop853Info(), dop853Tableau()) {
     const DenseTableau dense = dop853Dense();
     for (std::size_t i = 0; i < 3; ++i) extra_[i] = rounded(dense.a[i]);
     for (std::size_t i = 0; i < 4; ++i) dense_[i] = rounded(dense.d[i]);

@@ -5,7 +5,7 @@ namespace muelle::engine {
 
 namespace {
 
-MethodInfo describe() {
+MethodInfo dormandPrince5Info() {
   MethodInfo info;
   info.id = "dormand_prince_5";
   info.name = "Dormand-Prince 5(4)";
@@ -28,7 +28,7 @@ MethodInfo describe() {
 /// Dormand-Prince 5(4), with its dense output of order 4.
 class DormandPrince5 : public ExplicitRungeKutta {
  public:
-  DormandPrince5() : ExplicitRungeKutta(describe(), dormandPrince5Tableau()) {}
+  DormandPrince5() : ExplicitRungeKutta(dormandPrince5Info(), dormandPrince5Tableau()) {}
 
   void interpolate(const System&, const State& from, const State& to, double theta, State& out) override {
     // Weights of the fourth coefficient (Shampine's choice, as in the code DOPRI5 of Hairer and Wanner).

@@ -5,7 +5,7 @@ namespace muelle::engine {
 
 namespace {
 
-MethodInfo describe() {
+MethodInfo explicitEulerInfo() {
   MethodInfo info;
   info.id = "explicit_euler";
   info.name = "explicit Euler";
@@ -28,7 +28,7 @@ MethodInfo describe() {
 ButcherTableau explicitEulerTableau() { return {.c = {0.0L}, .a = {{}}, .b = {1.0L}}; }
 
 std::unique_ptr<Method> explicitEuler() {
-  return std::make_unique<ExplicitRungeKutta>(describe(), explicitEulerTableau());
+  return std::make_unique<ExplicitRungeKutta>(explicitEulerInfo(), explicitEulerTableau());
 }
 
 }  // namespace muelle::engine

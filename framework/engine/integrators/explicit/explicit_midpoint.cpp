@@ -5,7 +5,7 @@ namespace muelle::engine {
 
 namespace {
 
-MethodInfo describe() {
+MethodInfo explicitMidpointInfo() {
   MethodInfo info;
   info.id = "explicit_midpoint";
   info.name = "explicit midpoint";
@@ -30,7 +30,7 @@ MethodInfo describe() {
 ButcherTableau explicitMidpointTableau() { return {.c = {0.0L, 0.5L}, .a = {{}, {0.5L}}, .b = {0.0L, 1.0L}}; }
 
 std::unique_ptr<Method> explicitMidpoint() {
-  return std::make_unique<ExplicitRungeKutta>(describe(), explicitMidpointTableau());
+  return std::make_unique<ExplicitRungeKutta>(explicitMidpointInfo(), explicitMidpointTableau());
 }
 
 }  // namespace muelle::engine

@@ -5,7 +5,7 @@ namespace muelle::engine {
 
 namespace {
 
-MethodInfo describe() {
+MethodInfo kahanLi8Info() {
   MethodInfo info;
   info.id = "kahan_li_8";
   info.name = "Kahan-Li 8";
@@ -40,6 +40,6 @@ Coefficients kahanLi8Fractions() {
   return fractions;
 }
 
-std::unique_ptr<Method> kahanLi8() { return std::make_unique<Composition>(describe(), kahanLi8Fractions()); }
+std::unique_ptr<Method> kahanLi8() { return std::make_unique<Composition>(kahanLi8Info(), kahanLi8Fractions()); }
 
 }  // namespace muelle::engine

@@ -5,7 +5,7 @@ namespace muelle::engine {
 
 namespace {
 
-MethodInfo describe() {
+MethodInfo nystrom12Info() {
   MethodInfo info;
   info.id = "nystrom12";
   info.name = "Runge-Kutta-Nystroem 12(10)";
@@ -173,6 +173,6 @@ NystromTableau nystrom12Tableau() {
   };
 }
 
-std::unique_ptr<Method> nystrom12() { return std::make_unique<Nystrom>(describe(), nystrom12Tableau()); }
+std::unique_ptr<Method> nystrom12() { return std::make_unique<Nystrom>(nystrom12Info(), nystrom12Tableau()); }
 
 }  // namespace muelle::engine

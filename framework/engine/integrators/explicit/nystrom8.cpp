@@ -5,7 +5,7 @@ namespace muelle::engine {
 
 namespace {
 
-MethodInfo describe() {
+MethodInfo nystrom8Info() {
   MethodInfo info;
   info.id = "nystrom8";
   info.name = "Runge-Kutta-Nystroem 8(6)";
@@ -57,6 +57,6 @@ NystromTableau nystrom8Tableau() {
   };
 }
 
-std::unique_ptr<Method> nystrom8() { return std::make_unique<Nystrom>(describe(), nystrom8Tableau()); }
+std::unique_ptr<Method> nystrom8() { return std::make_unique<Nystrom>(nystrom8Info(), nystrom8Tableau()); }
 
 }  // namespace muelle::engine

@@ -5,7 +5,7 @@ namespace muelle::engine {
 
 namespace {
 
-MethodInfo describe() {
+MethodInfo rungeKutta4Info() {
   MethodInfo info;
   info.id = "runge_kutta_4";
   info.name = "classical Runge-Kutta";
@@ -32,6 +32,8 @@ ButcherTableau rungeKutta4Tableau() {
   };
 }
 
-std::unique_ptr<Method> rungeKutta4() { return std::make_unique<ExplicitRungeKutta>(describe(), rungeKutta4Tableau()); }
+std::unique_ptr<Method> rungeKutta4() {
+  return std::make_unique<ExplicitRungeKutta>(rungeKutta4Info(), rungeKutta4Tableau());
+}
 
 }  // namespace muelle::engine

@@ -13,7 +13,7 @@ namespace muelle::engine {
 
 namespace {
 
-MethodInfo describe() {
+MethodInfo rungeKuttaChebyshev2Info() {
   MethodInfo info;
   info.id = "rkc2";
   info.name = "Runge-Kutta-Chebyshev 2";
@@ -41,7 +41,7 @@ struct Chebyshev {
 class RungeKuttaChebyshev2 : public Method {
  public:
   const MethodInfo& info() const override {
-    static const MethodInfo facts = describe();
+    static const MethodInfo facts = rungeKuttaChebyshev2Info();
     return facts;
   }
 

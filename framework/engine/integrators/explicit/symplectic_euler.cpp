@@ -5,7 +5,7 @@ namespace muelle::engine {
 
 namespace {
 
-MethodInfo describe() {
+MethodInfo symplecticEulerInfo() {
   MethodInfo info;
   info.id = "symplectic_euler";
   info.name = "symplectic Euler";
@@ -28,7 +28,7 @@ MethodInfo describe() {
 class SymplecticEuler : public Method {
  public:
   const MethodInfo& info() const override {
-    static const MethodInfo facts = describe();
+    static const MethodInfo facts = symplecticEulerInfo();
     return facts;
   }
 

@@ -9,7 +9,7 @@ namespace muelle::engine {
 
 namespace {
 
-MethodInfo describe() {
+MethodInfo velocityVerletInfo() {
   MethodInfo info;
   info.id = "velocity_verlet";
   info.name = "velocity Verlet";
@@ -42,7 +42,7 @@ MethodInfo describe() {
 class VelocityVerlet : public Method {
  public:
   const MethodInfo& info() const override {
-    static const MethodInfo facts = describe();
+    static const MethodInfo facts = velocityVerletInfo();
     return facts;
   }
 

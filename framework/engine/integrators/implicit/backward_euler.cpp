@@ -5,7 +5,7 @@ namespace muelle::engine {
 
 namespace {
 
-MethodInfo facts() {
+MethodInfo backwardEulerInfo() {
   MethodInfo info = implicitInfo("backward_euler", "backward Euler", 1, Stability::LStable);
   info.formula = "v1 = v0 + h M^-1 F(t1, x1, v1),  x1 = x0 + h v1";
   info.source = "Hairer, Wanner: Solving Ordinary Differential Equations II, IV.3";
@@ -22,7 +22,7 @@ MethodInfo facts() {
 /// a step goes to a minimum of it, so that it leaves a saddle of the energy (Martin et al. 2011).
 class BackwardEuler final : public ImplicitMethod {
  public:
-  BackwardEuler() : ImplicitMethod(facts()) {}
+  BackwardEuler() : ImplicitMethod(backwardEulerInfo()) {}
 
  private:
   StepResult advance(const System& system, const State& from, double h) override {

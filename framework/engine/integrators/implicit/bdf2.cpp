@@ -7,7 +7,7 @@ namespace muelle::engine {
 
 namespace {
 
-MethodInfo facts() {
+MethodInfo bdf2Info() {
   MethodInfo info = implicitInfo("bdf2", "BDF2", 2, Stability::LStable);
   info.formula = "y1 = y0 + r^2/(1+2r) (y0 - y-1) + h (1+r)/(1+2r) f(t1, y1),  r = h / h-1;  y = (x, v)";
   info.source = "Hairer, Norsett, Wanner: Solving Ordinary Differential Equations I, III.5; first step: Alexander 1977";
@@ -21,7 +21,7 @@ MethodInfo facts() {
 /// history is dropped.
 class Bdf2 final : public ImplicitMethod {
  public:
-  Bdf2() : ImplicitMethod(facts()) {}
+  Bdf2() : ImplicitMethod(bdf2Info()) {}
 
   void accept() override {
     std::swap(end_, pendingEnd_);

@@ -7,7 +7,7 @@ namespace muelle::engine {
 
 namespace {
 
-MethodInfo facts() {
+MethodInfo discreteGradientInfo() {
   MethodInfo info = implicitInfo("discrete_gradient", "discrete gradient", 2, Stability::AStable);
   info.reversible = true;
   info.conservesEnergy = true;
@@ -27,7 +27,7 @@ MethodInfo facts() {
 /// O(h^2), until the residual falls no further: what is left of it is left in the energy.
 class DiscreteGradient final : public ImplicitMethod {
  public:
-  DiscreteGradient() : ImplicitMethod(facts()) {}
+  DiscreteGradient() : ImplicitMethod(discreteGradientInfo()) {}
 
  private:
   StepResult advance(const System& system, const State& from, double h) override {

@@ -5,7 +5,7 @@ namespace muelle::engine {
 
 namespace {
 
-MethodInfo facts() {
+MethodInfo implicitMidpointInfo() {
   MethodInfo info = implicitInfo("implicit_midpoint", "implicit midpoint", 2, Stability::AStable);
   info.symplectic = true;
   info.reversible = true;
@@ -24,7 +24,7 @@ MethodInfo facts() {
 /// modulus in floating point, would let the energy drift by a biased round-off.
 class ImplicitMidpoint final : public ImplicitMethod {
  public:
-  ImplicitMidpoint() : ImplicitMethod(facts()) {}
+  ImplicitMidpoint() : ImplicitMethod(implicitMidpointInfo()) {}
 
  private:
   StepResult advance(const System& system, const State& from, double h) override {

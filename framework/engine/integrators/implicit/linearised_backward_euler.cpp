@@ -7,7 +7,7 @@ namespace muelle::engine {
 
 namespace {
 
-MethodInfo facts() {
+MethodInfo linearisedBackwardEulerInfo() {
   MethodInfo info =
       implicitInfo("linearised_backward_euler", "linearised backward Euler (Baraff-Witkin)", 1, Stability::LStable);
   info.formula = "(M + h D + h^2 K) (v1 - v0) = h (F(t1, x0, v0) - h K v0),  x1 = x0 + h v1";
@@ -24,7 +24,7 @@ MethodInfo facts() {
 /// K as the matrix, so that a projected step is the exact step of a projected linear model.
 class LinearisedBackwardEuler final : public ImplicitMethod {
  public:
-  LinearisedBackwardEuler() : ImplicitMethod(facts()) {}
+  LinearisedBackwardEuler() : ImplicitMethod(linearisedBackwardEulerInfo()) {}
 
  private:
   StepResult advance(const System& system, const State& from, double h) override {

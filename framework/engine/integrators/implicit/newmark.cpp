@@ -5,7 +5,7 @@ namespace muelle::engine {
 
 namespace {
 
-MethodInfo facts() {
+MethodInfo newmarkInfo() {
   MethodInfo info = implicitInfo("newmark", "Newmark, average acceleration", 2, Stability::AStable);
   info.reversible = true;
   info.formula = "x1 = x0 + h v0 + h^2 (a0 + a1) / 4,  v1 = v0 + h (a0 + a1) / 2   (beta = 1/4, gamma = 1/2)";
@@ -21,7 +21,7 @@ MethodInfo facts() {
 /// end, when it is the same state.
 class Newmark final : public ImplicitMethod {
  public:
-  Newmark() : ImplicitMethod(facts()) {}
+  Newmark() : ImplicitMethod(newmarkInfo()) {}
 
   void accept() override {
     std::swap(end_, last_);

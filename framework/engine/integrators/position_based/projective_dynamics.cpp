@@ -12,7 +12,7 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-MethodInfo facts(int iterations) {
+MethodInfo projectiveDynamicsInfo(int iterations) {
   MethodInfo info =
       positionBasedInfo("projective_dynamics", fmt::format("projective dynamics, {} iterations", iterations));
   info.needs.distanceConstraints = true;
@@ -30,7 +30,8 @@ MethodInfo facts(int iterations) {
 /// (projected damping included), and only the matrix is the method's.
 class ProjectiveDynamics final : public PositionMethod {
  public:
-  explicit ProjectiveDynamics(int iterations) : PositionMethod(facts(iterations)), iterations_(iterations) {
+  explicit ProjectiveDynamics(int iterations)
+      : PositionMethod(projectiveDynamicsInfo(iterations)), iterations_(iterations) {
     if (iterations < 1) {
       throw std::invalid_argument(fmt::format("projective_dynamics: {} iterations; at least 1 is needed", iterations));
     }

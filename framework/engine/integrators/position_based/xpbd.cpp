@@ -10,7 +10,7 @@ namespace muelle::engine {
 
 namespace {
 
-MethodInfo facts(int substeps) {
+MethodInfo xpbdInfo(int substeps) {
   MethodInfo info = positionBasedInfo("xpbd", fmt::format("XPBD, {} substeps", substeps));
   info.formula = "each substep: x += h v + h^2 M^-1 F_ext; once for each C: x -= M^-1 grad C (C + g) / (w + h^-2 / k)";
   info.source = "Macklin et al.: Small Steps in Physics Simulation, 2019; XPBD, 2016";
@@ -28,7 +28,7 @@ MethodInfo facts(int substeps) {
 /// multiplied through by k h^2, so that k = 0 (a mere damper) is no special case.
 class Xpbd final : public PositionMethod {
  public:
-  explicit Xpbd(int substeps) : PositionMethod(facts(substeps)), substeps_(substeps) {
+  explicit Xpbd(int substeps) : PositionMethod(xpbdInfo(substeps)), substeps_(substeps) {
     if (substeps < 1) throw std::invalid_argument(fmt::format("xpbd: {} substeps; at least 1 is needed", substeps));
   }
 
