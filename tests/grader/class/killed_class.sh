@@ -8,10 +8,9 @@ work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 
 # The first exercises of the course that have submissions; each student takes one of these, right or wrong.
-topics="$(cd "$source/tests/submissions" && for manifest in "$source"/exercises/*/exercise.toml; do
-  topic="$(basename "$(dirname "$manifest")")"
-  if [ -d "$topic" ]; then echo "$(sed -n 's/^order = //p' "$manifest") $topic"; fi
-done | sort -n | head -n "$exercises" | cut -d' ' -f2)"
+topics="$("$muelle" list | awk '{ print $2 }' | while read -r topic; do
+  if [ -d "$source/tests/submissions/$topic" ]; then echo "$topic"; fi
+done | head -n "$exercises")"
 for ((i = 1; i <= students; ++i)); do
   for topic in $topics; do
     folders=("$source/tests/submissions/$topic"/*/*/)
