@@ -154,7 +154,7 @@ class OpenArchive {
     if (type == AE_IFIFO) return refuse(path, "is a named pipe");
     if (type == AE_IFCHR || type == AE_IFBLK) return refuse(path, "is a device");
     if (type != AE_IFREG) return refuse(path, "is no regular file");
-    if (isArchiveName(path.back()) && !Collector::isSkipped(path.back())) return enter(path);
+    if (isArchiveName(path.back()) && !Collector::isHidden(path)) return enter(path);
     bool wanted = false;
     collector_.file(path, [&] {
       wanted = true;
@@ -232,11 +232,7 @@ void ArchiveReader::readInside(const std::string& bytes, const RelativePath& pat
     return collector_.note(
         fmt::format("ignored {}: an archive in an archive is opened, a deeper one is not", show(path)));
   ++opened_;
-  try {
-    open(bytes, show(path), path);
-  } catch (const std::runtime_error& error) {
-    collector_.brokenArchive(error.what());
-  }
+  open(bytes, show(path), path);
   --opened_;
 }
 

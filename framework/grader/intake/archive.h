@@ -20,7 +20,8 @@ class ArchiveReader {
   void read(const std::string& bytes, const std::string& name);
 
   /// An archive that lies in the submission, at `path`. At most two are open at a time, an archive in an archive; a
-  /// deeper one is ignored and said so. What read() throws is told to the collector instead.
+  /// deeper one is ignored and said so. Throws as read() does: a broken archive is broken wherever it lies, or it would
+  /// depend on what else is there whether it counts.
   void readInside(const std::string& bytes, const RelativePath& path);
 
   /// Counts one more entry of an archive or folder; false, and said once, when that is more than the limit.

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
-#include <stdexcept>
 
 namespace muelle::grader {
 
@@ -51,12 +50,14 @@ std::string show(const RelativePath& path) {
 Collector::Collector(const std::vector<Manifest>& course, IntakeLimits limits, std::vector<std::string> only)
     : course_(course), limits_(limits), only_(std::move(only)) {}
 
-bool Collector::isSkipped(const std::string& component) {
-  return component.starts_with('.') || component == "__MACOSX";
+bool Collector::isHidden(const RelativePath& path) {
+  return std::any_of(path.begin(), path.end(), [](const std::string& component) {
+    return component.starts_with('.') || component == "__MACOSX";
+  });
 }
 
-bool Collector::isHidden(const RelativePath& path) {
-  const bool hidden = std::any_of(path.begin(), path.end(), isSkipped);
+bool Collector::passOver(const RelativePath& path) {
+  const bool hidden = isHidden(path);
   if (hidden) ++hidden_;
   return hidden;
 }
@@ -103,7 +104,7 @@ std::vector<std::pair<Collector::Key, Collector::Rank>> Collector::wantedBy(cons
 
 void Collector::file(const RelativePath& path, const std::function<Content()>& read) {
   ++seen_;
-  if (isHidden(path)) return;
+  if (passOver(path)) return;
   if (!wantedBy(path).empty()) return offer(path, read);
   if (isHandedOut(path)) {
     ++handedOut_;
@@ -115,7 +116,7 @@ void Collector::file(const RelativePath& path, const std::function<Content()>& r
 
 void Collector::notAFile(const RelativePath& path, const std::string& why) {
   ++seen_;
-  if (isHidden(path)) return;
+  if (passOver(path)) return;
   if (!wantedBy(path).empty()) {
     offer(path, [&] { return Content::refused(why); });
   } else {
@@ -129,24 +130,25 @@ void Collector::unreadableFolder(const RelativePath& path, const std::string& wh
   note(fmt::format("{}/ {}", show(path), why));
 }
 
-void Collector::brokenArchive(const std::string& why) { broken_.push_back(why); }
-
 void Collector::note(const std::string& what) { notes_.push_back(what); }
 
 void Collector::offer(const RelativePath& path, const std::function<Content()>& read) {
   for (const auto& [key, rank] : wantedBy(path)) {
     if (!isAskedFor(key.first)) continue;
-    Slot& slot = slots_[key];
-    const bool isFirst = slot.places.empty();
-    if (!isFirst && rank > slot.rank) {
+    const auto known = slots_.find(key);
+    if (known != slots_.end() && rank > known->second.rank) {
       ignore(path, "another one counts");
-    } else if (!isFirst && rank == slot.rank) {
-      add(slot, path, slot.differ ? Content{} : read());
-    } else {
+      continue;
+    }
+    const bool isBetter = known == slots_.end() || rank < known->second.rank;
+    // Reading may throw: nothing is changed before.
+    Content content = isBetter || !known->second.differ ? read() : Content{};
+    Slot& slot = slots_[key];
+    if (isBetter) {
       for (const RelativePath& worse : slot.places) ignore(worse, "another one counts");
       slot = Slot{rank, {}, {}};
-      add(slot, path, read());
     }
+    add(slot, path, std::move(content));
   }
 }
 
@@ -187,7 +189,6 @@ std::vector<std::string> Collector::notes(const Submission& submission) const {
   std::vector<std::string> lines;
   for (const auto& [topic, how] : submission.taken) lines.push_back(how);
   lines.insert(lines.end(), notes_.begin(), notes_.end());
-  for (const std::string& why : broken_) lines.push_back("ignored the rest of an archive inside: " + why);
   for (const auto& [place, names] : ignored_) {
     const std::string folder = place.first.empty() ? "" : fmt::format(" in {}/", place.first);
     const std::string why = place.second.empty() ? "" : fmt::format(" ({})", place.second);
@@ -323,7 +324,6 @@ Submission Collector::finish(std::string name) const {
   for (const Manifest& manifest : course_) {
     if (isAskedFor(manifest.topic)) say(manifest, submission);
   }
-  if (!submission.missing.empty() && !broken_.empty()) throw std::runtime_error(broken_.front());
   submission.notes = notes(submission);
   submission.hash = hashOf(submission);
   return submission;

@@ -46,17 +46,12 @@ class Collector {
   /// A folder that this machine cannot look into: whatever it may hold is unknown. `why` as in Content::fault.
   void unreadableFolder(const RelativePath& path, const std::string& why);
 
-  /// An archive inside that could not be read to its end; `why` is a whole line. Ends the taking when a topic lacks a
-  /// file (finish() throws), since it may be in there.
-  void brokenArchive(const std::string& why);
-
   /// Anything that is ignored for a reason of its own; `what` is a printable line.
   void note(const std::string& what);
 
-  /// True for folders that never hold a hand-in: hidden ones and the Mac's resource forks.
-  static bool isSkipped(const std::string& component);
+  /// True for what never is or holds a hand-in: hidden files and folders, and the Mac's resource forks.
+  static bool isHidden(const RelativePath& path);
 
-  /// Throws std::runtime_error with the reason of the first broken archive when a topic lacks a file.
   Submission finish(std::string name) const;
 
  private:
@@ -82,8 +77,8 @@ class Collector {
   void offer(const RelativePath& path, const std::function<Content()>& read);
   void add(Slot& slot, const RelativePath& path, Content content) const;
   void ignore(const RelativePath& path, const std::string& why);
-  /// Also counts it.
-  bool isHidden(const RelativePath& path);
+  /// isHidden(), and counts it.
+  bool passOver(const RelativePath& path);
   bool isHandedOut(const RelativePath& path) const;
 
   void settle(const Key& key, const Slot& slot, Submission& submission) const;
@@ -100,7 +95,6 @@ class Collector {
   std::map<Key, Slot> slots_;
   std::vector<RelativePath> strays_;  ///< sources that no exercise wants
   std::vector<UnreadableFolder> unreadable_;
-  std::vector<std::string> broken_;
   std::vector<std::string> notes_;
   /// (folder, reason) -> names ignored there
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> ignored_;

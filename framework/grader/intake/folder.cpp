@@ -103,7 +103,7 @@ class Walk {
       return collector_.file(path, [] { return Content::unreadable(cannotBeRead()); });
     if (S_ISDIR(status.st_mode)) return enter(path);
     if (!S_ISREG(status.st_mode)) return collector_.notAFile(path, kindOf(status.st_mode));
-    if (isArchiveName(path.back()) && !Collector::isSkipped(path.back())) return unpack(folder, path);
+    if (isArchiveName(path.back()) && !Collector::isHidden(path)) return unpack(folder, path);
     collector_.file(path, [&] { return read(folder, path.back(), collector_.limits().sourceBytes); });
   }
 
@@ -115,7 +115,7 @@ class Walk {
   }
 
   void enter(const RelativePath& path) {
-    if (Collector::isSkipped(path.back())) return collector_.notAFile(path, "is hidden");
+    if (Collector::isHidden(path)) return collector_.notAFile(path, "is hidden");
     if (path.size() > maximalDepth) return collector_.note(fmt::format("ignored {}/: too deep", show(path)));
     pending_.push_back(path);
   }

@@ -139,16 +139,41 @@ TEST_F(InnerArchive, SharesTheLimits) {
   EXPECT_TRUE(isNoted(s, "only the first 60 entries were looked at"));
 }
 
-TEST_F(InnerArchive, ABrokenOneEndsItWhenAFileIsMissing) {
-  const auto file = make({{"rest.zip", "no archive"}, {"spring_1d.cpp", "one"}}, Format::Zip);
-  EXPECT_NE(refusal(file).find("cannot read the archive rest.zip"), std::string::npos);
+/// One rule, whatever else is there: who marks by hand what was left of a hand-in cannot know what it lacks.
+TEST_F(InnerArchive, ABrokenOneIsBrokenWhateverElseIsThere) {
+  for (const char* text : {"no archive", "PK\x03\x04 cut"}) {
+    std::vector<ArchiveEntry> entries{{"rest.zip", text}, {"spring_1d.cpp", "one"}};
+    for (const bool isComplete : {false, true}) {
+      if (isComplete) entries.push_back({"triangle.cpp", "two"});
+      EXPECT_NE(refusal(make(entries, Format::Zip)).find("cannot read the archive rest.zip"), std::string::npos);
+    }
+  }
 }
 
-TEST_F(InnerArchive, ABrokenOneIsIgnoredWhenNothingIsMissing) {
-  const auto file = make({{"rest.zip", "no archive"}, {"spring_1d.cpp", "one"}, {"triangle.cpp", "two"}}, Format::Zip);
-  const Submission s = take(file);
-  EXPECT_EQ(s.sources.size(), 2u);
-  EXPECT_TRUE(isNoted(s, "ignored the rest of an archive inside: cannot read the archive rest.zip"));
+TEST_F(InnerArchive, ADamagedSourceInItIsRefusedInAFolderToo) {
+  const auto file = folder_.path() / "ana" / "hand-in.zip";
+  folder_.write("ana/triangle.cpp", "two");
+  for (const char* name : {"spring_1d.cpp", "notes"}) {
+    writeArchive(file, Format::Zip, {{name, "double f() { return 1.0; }\n"}});
+    damage(file, endOfCentralDirectoryEntry, crcInCentralDirectory);
+    EXPECT_NE(refusal(file.parent_path()).find("cannot read the archive hand-in.zip"), std::string::npos) << name;
+    const std::string inner = readFile(file);
+    EXPECT_NE(refusal(make({{"a/b.zip", inner}}, Format::Zip)).find("cannot read the archive a/b.zip"),
+              std::string::npos);
+  }
+}
+
+TEST_F(InnerArchive, ABombInItIsRefused) {
+  folder_.write("ana/triangle.cpp", "two");
+  writeArchive(folder_.path() / "ana" / "work.zip", Format::Zip, {{"spring_1d.cpp", std::string(40'000'000, ' ')}});
+  EXPECT_NE(refusal(folder_.path() / "ana").find("the archive work.zip unpacks to more than 32 MiB"),
+            std::string::npos);
+}
+
+TEST_F(InnerArchive, OfAHiddenFolderIsNobodys) {
+  const Submission s =
+      take(make({{".git/x.zip", "no archive"}, {"__MACOSX/y.zip", "fork"}, {"spring_1d.cpp", "one"}}, Format::Zip));
+  EXPECT_TRUE(s.sources.contains("spring_1d"));
 }
 
 }  // namespace
