@@ -65,6 +65,7 @@ class OpenArchive {
         collector_(reader.collector()),
         archive_(::archive_read_new(), ::archive_read_free) {
     if (!archive_) throw std::bad_alloc();
+    checkGzip();
     chooseFormat(compressionOf(bytes));
     if (::archive_read_open_memory(archive_.get(), bytes.data(), bytes.size()) != ARCHIVE_OK) fail();
   }
@@ -81,10 +82,6 @@ class OpenArchive {
       visit(entry);
     }
     if (isEmpty) collector_.note(fmt::format("the archive {} is empty", name_));
-    if (compressionOf(bytes_) != ARCHIVE_FILTER_GZIP) return;
-    // More than the limit of what is in the files: a tar archive has headers too.
-    const std::string fault = gzipFault(bytes_, 2 * collector_.limits().archiveBytes);
-    if (!fault.empty()) fail(fault);
   }
 
  private:
@@ -104,6 +101,13 @@ class OpenArchive {
     } else if (::archive_read_append_filter(archive_.get(), compression) != ARCHIVE_OK) {
       fail();
     }
+  }
+
+  void checkGzip() const {
+    if (compressionOf(bytes_) != ARCHIVE_FILTER_GZIP) return;
+    // More than the limit of what is in the files: a tar archive has headers too.
+    const std::string fault = gzipFault(bytes_, 2 * collector_.limits().archiveBytes);
+    if (!fault.empty()) fail(fault);
   }
 
   [[noreturn]] void fail() const {

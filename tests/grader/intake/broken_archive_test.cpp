@@ -47,8 +47,29 @@ class Broken : public ::testing::Test {
 using BrokenArchive = Broken;
 using InnerArchive = Broken;
 
+/// A gzip file with no bytes in it: one more member.
+const std::string gzipOfNothing("\x1f\x8b\x08\0\0\0\0\0\0\x03\x03\0\0\0\0\0\0\0\0\0", 20);
+
 const std::vector<ArchiveEntry> handIn{{"notes", "nobody wants this: a text of some length"},
                                        {"spring_1d.cpp", "double f() { return 1.0; }\n"}};
+class BrokenGzip : public Broken {
+ protected:
+  void expectTaken(const std::string& bytes) const {
+    EXPECT_TRUE(take(folder_.write("hand-in", bytes)).sources.contains("spring_1d"));
+  }
+  void expectBrokenBytes(const std::string& bytes, const std::string& why) const {
+    expectBroken(folder_.write("hand-in", bytes), why);
+  }
+  /// With another bit so many bytes before the end: 8 to 5 are of the checksum, 4 to 1 of the size.
+  std::string damaged(std::size_t beforeEnd) const {
+    std::string bytes = gzip_;
+    bytes[bytes.size() - beforeEnd] = static_cast<char>(bytes[bytes.size() - beforeEnd] ^ 1);
+    return bytes;
+  }
+
+  std::string gzip_ = packed(handIn, Format::TarGzip);
+};
+
 const std::string endOfCentralDirectoryEntry = "PK\x01\x02";
 constexpr std::size_t crcInCentralDirectory = 16;
 constexpr std::size_t sizeInCentralDirectory = 24;
@@ -88,9 +109,28 @@ TEST_F(BrokenArchive, AWrongChecksumOfGzipIsFound) {
   expectBroken(file, "its checksum is wrong");
 }
 
-TEST_F(BrokenArchive, AWholeGzipPasses) {
-  EXPECT_TRUE(take(make(handIn, Format::TarGzip)).sources.contains("spring_1d"));
+TEST_F(BrokenGzip, AWholeOnePasses) { expectTaken(gzip_); }
+
+TEST_F(BrokenGzip, ZerosMayFollow) { expectTaken(gzip_ + std::string(512, '\0')); }
+
+TEST_F(BrokenGzip, SeveralMembersAreOneStream) { expectTaken(gzip_ + gzipOfNothing); }
+
+TEST_F(BrokenGzip, AWrongSizeIsFound) { expectBrokenBytes(damaged(1), "its size is wrong"); }
+
+TEST_F(BrokenGzip, AWrongChecksumIsFoundWhateverFollows) {
+  expectBrokenBytes(damaged(6) + std::string(3, '\0'), "its checksum is wrong");
+  expectBrokenBytes(damaged(6) + gzipOfNothing, "its checksum is wrong");
 }
+
+TEST_F(BrokenGzip, OfALaterMemberIsFound) {
+  std::string later = gzipOfNothing;
+  later[later.size() - 6] = 1;
+  expectBrokenBytes(gzip_ + later, "its checksum is wrong");
+}
+
+TEST_F(BrokenGzip, NothingElseMayFollow) { expectBrokenBytes(gzip_ + "rest", "something else follows its end"); }
+
+TEST_F(BrokenGzip, ThatEndsEarlyIsFound) { expectBrokenBytes(gzip_.substr(0, gzip_.size() - 4), "it ends too early"); }
 
 TEST_F(BrokenArchive, AnEmptyOneIsSaidInEveryExercise) {
   for (const Format format : {Format::Zip, Format::Tar, Format::TarGzip}) {
