@@ -128,11 +128,16 @@ class OpenArchive {
     RelativePath path = folder_;
     const std::string trouble = raw == nullptr ? "its name cannot be read" : split(raw, path);
     if (!trouble.empty()) {
-      collector_.note(
-          fmt::format("ignored {}: {}", raw == nullptr ? "an entry" : cut(printableLine(raw), 80), trouble));
+      collector_.skipped(raw == nullptr ? "" : lastOf(raw),
+                         fmt::format("ignored {}: {}; make the archive again, of the folder with the exercises",
+                                     raw == nullptr ? "an entry" : cut(printableLine(raw), 80), trouble));
       return skip();
     }
     offer(entry, path);
+  }
+
+  static std::string lastOf(std::string_view name) {
+    return std::string(name.substr(name.find_last_of("/\\") + 1));
   }
 
   static std::string split(std::string_view name, RelativePath& path) {
@@ -233,8 +238,8 @@ void ArchiveReader::read(const std::string& bytes, const std::string& name) {
 
 void ArchiveReader::readInside(const std::string& bytes, const RelativePath& path) {
   if (opened_ == maximalOpen)
-    return collector_.note(
-        fmt::format("ignored {}: an archive in an archive is opened, a deeper one is not", show(path)));
+    return collector_.skipped(
+        "", fmt::format("ignored {}: an archive in an archive is opened, a deeper one is not", show(path)));
   ++opened_;
   open(bytes, show(path), path);
   --opened_;
@@ -243,7 +248,8 @@ void ArchiveReader::readInside(const std::string& bytes, const RelativePath& pat
 bool ArchiveReader::countEntry() {
   const std::size_t limit = collector_.limits().entries;
   if (++entries_ == limit + 1)
-    collector_.note(fmt::format("only the first {} entries were looked at: hand in the exercises alone", limit));
+    collector_.skipped("",
+                       fmt::format("only the first {} entries were looked at: hand in the exercises alone", limit));
   return entries_ <= limit;
 }
 
@@ -253,6 +259,11 @@ void ArchiveReader::countBytes(std::size_t bytes, const std::string& name) {
   if (unpacked_ > limit)
     throw std::runtime_error(
         fmt::format("the archive {} unpacks to more than {}: hand in the sources alone", name, showBytes(limit)));
+}
+
+void refuseLargeArchive(const std::string& name, std::size_t limit) {
+  throw std::runtime_error(
+      fmt::format("the archive {} is larger than {}: hand in the sources alone", name, showBytes(limit)));
 }
 
 bool beginsAsArchive(std::string_view bytes) {

@@ -41,6 +41,9 @@ class ArchiveReader {
   int opened_ = 0;  ///< archives being read now, one in the other
 };
 
+/// Throws the std::runtime_error, one line, of an archive that is larger than `limit` bytes itself.
+[[noreturn]] void refuseLargeArchive(const std::string& name, std::size_t limit);
+
 /// True when the bytes begin as one of the archives that are read.
 bool beginsAsArchive(std::string_view bytes);
 

@@ -36,6 +36,10 @@ std::string kindOf(mode_t mode) {
 
 std::string cannotBeRead() { return fmt::format("cannot be read: {}", std::strerror(errno)); }
 
+std::string cannotBeRead(const std::system_error& error) {
+  return fmt::format("cannot be read: {}", error.code().message());
+}
+
 class Walk {
  public:
   Walk(int root, Collector& collector) : root_(root), collector_(collector), archives_(collector) {}
@@ -103,39 +107,61 @@ class Walk {
       return collector_.file(path, [] { return Content::unreadable(cannotBeRead()); });
     if (S_ISDIR(status.st_mode)) return enter(path);
     if (!S_ISREG(status.st_mode)) return collector_.notAFile(path, kindOf(status.st_mode));
-    if (isArchiveName(path.back()) && !Collector::isHidden(path)) return unpack(folder, path);
-    collector_.file(path, [&] { return read(folder, path.back(), collector_.limits().sourceBytes); });
+    if (Collector::isHidden(path)) return collector_.notAFile(path, "is hidden");
+    Content trouble;
+    const Descriptor file = openRegular(folder, path.back(), trouble);
+    const bool hasName = isArchiveName(path.back());
+    if (!file && hasName && !trouble.fault.empty()) return collector_.unreadableFolder(path, trouble.fault);
+    if (!file && hasName) return collector_.notAFile(path, trouble.refusal);
+    if (!file) return collector_.file(path, [&] { return trouble; });
+    if (hasName) return unpack(file, path);
+    collector_.file(path, [&] { return read(file); });
   }
 
-  void unpack(const Descriptor& folder, const RelativePath& path) {
-    const Content content = read(folder, path.back(), collector_.limits().archiveBytes);
-    if (!content.fault.empty()) return collector_.unreadableFolder(path, content.fault);
-    if (!content.refusal.empty()) return collector_.notAFile(path, content.refusal);
-    archives_.readInside(content.bytes, path);
+  void unpack(const Descriptor& file, const RelativePath& path) {
+    const std::size_t limit = collector_.limits().archiveBytes;
+    try {
+      const std::optional<std::string> bytes = readAll(file.get(), limit);
+      if (!bytes) refuseLargeArchive(show(path), limit);
+      archives_.readInside(*bytes, path);
+    } catch (const std::system_error& error) {
+      collector_.unreadableFolder(path, cannotBeRead(error));
+    }
   }
 
   void enter(const RelativePath& path) {
     if (Collector::isHidden(path)) return collector_.notAFile(path, "is hidden");
-    if (path.size() > maximalDepth) return collector_.note(fmt::format("ignored {}/: too deep", show(path)));
+    if (path.size() > maximalDepth) return collector_.skipped("", fmt::format("ignored {}/: too deep", show(path)));
     pending_.push_back(path);
   }
 
-  Content read(const Descriptor& folder, const std::string& name, std::size_t limit) const {
-    // The name was a regular file a moment ago; O_NONBLOCK and the second look are for one that changed since.
-    const Descriptor file(
-        ::openat(folder.get(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  /// Null with the trouble when it cannot be opened. The name was a regular file a moment ago; O_NONBLOCK and the second
+  /// look are for one that changed since.
+  static Descriptor openRegular(const Descriptor& folder, const std::string& name, Content& trouble) {
+    Descriptor file(::openat(folder.get(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     struct stat status {};
-    if (!file && errno == ELOOP) return Content::refused("is a symbolic link");
-    if (!file || ::fstat(file.get(), &status) != 0) return Content::unreadable(cannotBeRead());
-    if (!S_ISREG(status.st_mode)) return Content::refused(kindOf(status.st_mode));
-    if (status.st_nlink > 1)
-      return Content::refused("is a hard link (the file has another name elsewhere): hand in a copy");
+    if (!file && errno == ELOOP) {
+      trouble = Content::refused("is a symbolic link");
+    } else if (!file || ::fstat(file.get(), &status) != 0) {
+      trouble = Content::unreadable(cannotBeRead());
+    } else if (!S_ISREG(status.st_mode)) {
+      trouble = Content::refused(kindOf(status.st_mode));
+    } else if (status.st_nlink > 1) {
+      trouble = Content::refused("is a hard link (the file has another name elsewhere): hand in a copy");
+    } else {
+      return file;
+    }
+    return Descriptor();
+  }
+
+  Content read(const Descriptor& file) const {
+    const std::size_t limit = collector_.limits().sourceBytes;
     try {
       std::optional<std::string> bytes = readAll(file.get(), limit);
       if (!bytes) return Content::refused(fmt::format("is larger than {}", showBytes(limit)));
       return {std::move(*bytes)};
     } catch (const std::system_error& error) {
-      return Content::unreadable(fmt::format("cannot be read: {}", error.code().message()));
+      return Content::unreadable(cannotBeRead(error));
     }
   }
 

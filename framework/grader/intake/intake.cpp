@@ -43,18 +43,17 @@ void readFileOf(const Descriptor& file, const std::filesystem::path& path, const
       return {std::move(*bytes)};
     });
   }
-  if (!bytes)
-    throw std::runtime_error(
-        fmt::format("the archive {} is larger than {}: hand in the sources alone", name, showBytes(limit)));
+  if (!bytes) refuseLargeArchive(name, limit);
   ArchiveReader(collector).read(*bytes, name);
 }
 
 }  // namespace
 
 Submission takeSubmission(const std::filesystem::path& path, const std::vector<Manifest>& course,
-                          const IntakeLimits& limits, const std::vector<std::string>& only) {
+                          const IntakeLimits& limits, const std::vector<std::string>& only,
+                          const SourcesByTopic& stubs) {
   const std::string name = nameOf(path);
-  Collector collector(course, limits, only);
+  Collector collector(course, limits, only, stubs);
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   struct stat status {};
   if (!file || ::fstat(file.get(), &status) != 0)

@@ -59,6 +59,7 @@ class Grader {
   Workplace workplace_;
   std::vector<Manifest> course_;
   std::vector<Manifest> wholeCourse_;
+  SourcesByTopic stubs_;
   GradeOptions options_;
   std::unique_ptr<Sandbox> sandbox_;
   Store objects_;
