@@ -44,7 +44,4 @@ class ArchiveReader {
 /// Throws the std::runtime_error, one line, of an archive that is larger than `limit` bytes itself.
 [[noreturn]] void refuseLargeArchive(const std::string& name, std::size_t limit);
 
-/// True when the bytes begin as one of the archives that are read.
-bool beginsAsArchive(std::string_view bytes);
-
 }  // namespace muelle::grader

@@ -4,6 +4,7 @@
 #include "base/text/printable.h"
 #include "course/check/source_text.h"
 #include "grader/intake/file_names.h"
+#include "grader/intake/package.h"
 #include "grader/intake/read_file.h"
 #include "grader/run/digest.h"
 
@@ -121,6 +122,15 @@ void Collector::file(const RelativePath& path, const std::function<Content()>& r
     if (isSourceName(path.back()) && !isHandedOutSource(path.back())) strays_.push_back(path);
     ignore(path, "");
   }
+}
+
+void Collector::regularFile(const RelativePath& path, std::string_view head, const std::function<Content()>& read) {
+  const RelativePath folder(path.begin(), path.end() - 1);
+  const bool isPlain = isHidden(folder) || !wantedBy(path).empty();
+  const std::optional<StandIn> other = isPlain ? std::nullopt : standIn(path.back(), head);
+  if (!other) return file(path, read);
+  ++seen_;
+  skipped(other->name, fmt::format("ignored {}: {}", show(path), other->why));
 }
 
 void Collector::notAFile(const RelativePath& path, const std::string& why) {

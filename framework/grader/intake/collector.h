@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -40,6 +41,9 @@ class Collector {
 
   /// A regular file; `read` is called only when its content may count.
   void file(const RelativePath& path, const std::function<Content()>& read);
+
+  /// The same for a file that may stand for another (see standIn()), as its first bytes tell.
+  void regularFile(const RelativePath& path, std::string_view head, const std::function<Content()>& read);
 
   /// Something else with a name: `why` completes "spring_1d.cpp ...": "is a symbolic link". Refused where a file is
   /// wanted, ignored elsewhere.

@@ -4,6 +4,7 @@
 #include "base/text/printable.h"
 #include "grader/intake/archive.h"
 #include "grader/intake/file_names.h"
+#include "grader/intake/package.h"
 #include "grader/intake/read_file.h"
 
 #include <dirent.h>
@@ -107,15 +108,21 @@ class Walk {
       return collector_.file(path, [] { return Content::unreadable(cannotBeRead()); });
     if (S_ISDIR(status.st_mode)) return enter(path);
     if (!S_ISREG(status.st_mode)) return collector_.notAFile(path, kindOf(status.st_mode));
-    if (Collector::isHidden(path)) return collector_.notAFile(path, "is hidden");
     Content trouble;
     const Descriptor file = openRegular(folder, path.back(), trouble);
-    const bool hasName = isArchiveName(path.back());
-    if (!file && hasName && !trouble.fault.empty()) return collector_.unreadableFolder(path, trouble.fault);
-    if (!file && hasName) return collector_.notAFile(path, trouble.refusal);
+    const bool mayHoldAny = isArchiveName(path.back()) && !Collector::isHidden(path);
+    if (!file && mayHoldAny && !trouble.fault.empty()) return collector_.unreadableFolder(path, trouble.fault);
     if (!file) return collector_.file(path, [&] { return trouble; });
-    if (hasName) return unpack(file, path);
-    collector_.file(path, [&] { return read(file); });
+    const std::string head = headOf(file);
+    if (isArchive(path.back(), head) && !Collector::isHidden(path)) return unpack(file, path);
+    collector_.regularFile(path, head, [&] { return read(file); });
+  }
+
+  static std::string headOf(const Descriptor& file) {
+    std::string head(headBytes, '\0');
+    const ssize_t got = ::pread(file.get(), head.data(), head.size(), 0);
+    head.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+    return head;
   }
 
   void unpack(const Descriptor& file, const RelativePath& path) {
@@ -135,6 +142,12 @@ class Walk {
     pending_.push_back(path);
   }
 
+  /// A hard link is a file like any other, unless somebody put another's file under this name.
+  static bool isAnothers(const Descriptor& folder, const struct stat& file) {
+    struct stat owner {};
+    return file.st_nlink > 1 && (::fstat(folder.get(), &owner) != 0 || owner.st_uid != file.st_uid);
+  }
+
   /// Null with the trouble when it cannot be opened. The name was a regular file a moment ago; O_NONBLOCK and the second
   /// look are for one that changed since.
   static Descriptor openRegular(const Descriptor& folder, const std::string& name, Content& trouble) {
@@ -146,8 +159,8 @@ class Walk {
       trouble = Content::unreadable(cannotBeRead());
     } else if (!S_ISREG(status.st_mode)) {
       trouble = Content::refused(kindOf(status.st_mode));
-    } else if (status.st_nlink > 1) {
-      trouble = Content::refused("is a hard link (the file has another name elsewhere): hand in a copy");
+    } else if (isAnothers(folder, status)) {
+      trouble = Content::refused("is a hard link to a file of another user: hand in a copy");
     } else {
       return file;
     }

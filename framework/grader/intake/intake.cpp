@@ -6,6 +6,7 @@
 #include "grader/intake/collector.h"
 #include "grader/intake/file_names.h"
 #include "grader/intake/folder.h"
+#include "grader/intake/package.h"
 #include "grader/intake/read_file.h"
 
 #include <fcntl.h>

@@ -116,11 +116,20 @@ TEST_F(ArchivePaths, ThatAreEndlessAreIgnored) {
 
 TEST_F(ArchiveLinks, AreRefused) {
   const Submission s = take({{"spring_1d/spring_1d.cpp", "", S_IFLNK, "/etc/passwd"},
-                             {"triangle/real.cpp", "two"},
-                             {"triangle/triangle.cpp", "", S_IFREG, "", "triangle/real.cpp"}});
+                             {"triangle/triangle.cpp", "", S_IFREG, "", "/etc/passwd"}});
   EXPECT_TRUE(s.sources.empty());
   EXPECT_EQ(s.refused.at("spring_1d"), "spring_1d/spring_1d.cpp is a symbolic link");
-  EXPECT_EQ(s.refused.at("triangle"), "triangle/triangle.cpp is a hard link");
+  EXPECT_EQ(s.refused.at("triangle"),
+            "triangle/triangle.cpp is a hard link to what the archive does not hold: hand in the file itself");
+}
+
+/// tar writes a file that has two names once, and its second name as a hard link to the first.
+TEST_F(ArchiveLinks, HardOnesToWhatTheArchiveHoldsAreThat) {
+  const Submission s = take({{"triangle/real.cpp", "two"},
+                             {"triangle/triangle.cpp", "", S_IFREG, "", "triangle/real.cpp"},
+                             {"spring_1d.cpp", "", S_IFREG, "", "triangle/triangle.cpp"}});
+  EXPECT_EQ(s.sources.at("triangle").at("triangle.cpp"), "two");
+  EXPECT_EQ(s.sources.at("spring_1d").at("spring_1d.cpp"), "two");
 }
 
 TEST_F(ArchiveLinks, InAZipAreRefused) {
