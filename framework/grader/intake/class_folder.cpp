@@ -78,9 +78,7 @@ std::string studentOf(const std::string& name) {
   if (const std::optional<MoodleName> moodle = moodleName(name))
     return fmt::format("{} ({})", shown(moodle->name), shown(moodle->id));
   if (isArchiveName(name)) return shown(withoutArchiveSuffix(name));
-  if (!isSourceName(name)) return shown(name);
-  const std::size_t txt = lowerCase(name).ends_with(".txt") ? name.size() - 4 : name.size();
-  return shown(name.substr(0, name.rfind('.', txt - 1)));
+  return shown(isSourceName(name) ? withoutSourceSuffix(name) : name);
 }
 
 ClassFolder listClass(const std::filesystem::path& folder) {

@@ -67,9 +67,12 @@ bool Collector::isHidden(const RelativePath& path) {
 }
 
 bool Collector::passOver(const RelativePath& path) {
-  const bool hidden = isHidden(path);
-  if (hidden) ++hidden_;
-  return hidden;
+  if (!isHidden(path)) return false;
+  ++hidden_;
+  const bool isAFork = std::find(path.begin(), path.end(), "__MACOSX") != path.end();
+  if (!isAFork && !path.back().starts_with('.'))
+    skipped_.emplace_back(path.back(), fmt::format("ignored {}: it lies in a hidden folder", show(path)));
+  return true;
 }
 
 bool Collector::isAskedFor(const std::string& topic) const {
@@ -104,12 +107,23 @@ std::vector<std::pair<Collector::Key, Collector::Rank>> Collector::wantedBy(cons
       const Key key{manifest.topic, wanted};
       if (name == wanted) exact.emplace_back(key, Rank{0, place, path.size()});
       if (isNearName(name, wanted)) near.emplace_back(key, Rank{1, place, path.size()});
+      if (isTextNamedAs(name, wanted)) near.emplace_back(key, Rank{textRank, place, path.size()});
     }
   }
   if (isAName) return exact;
   // A name that is near to two says nothing.
   if (near.size() > 1) near.clear();
   return near;
+}
+
+/// A source, or what is named as one that is wanted; not a contract, which is handed out under such a name.
+bool Collector::mayBeMeant(const std::string& name) const {
+  if (isHandedOutSource(name)) return false;
+  return isSourceName(name) || std::any_of(course_.begin(), course_.end(), [&](const Manifest& manifest) {
+           return name != manifest.topic + ".h" &&
+                  std::any_of(manifest.files.begin(), manifest.files.end(),
+                              [&](const std::string& wanted) { return isNamedAlike(name, wanted); });
+         });
 }
 
 void Collector::file(const RelativePath& path, const std::function<Content()>& read) {
@@ -119,7 +133,7 @@ void Collector::file(const RelativePath& path, const std::function<Content()>& r
   if (isHandedOut(path)) {
     ++handedOut_;
   } else {
-    if (isSourceName(path.back()) && !isHandedOutSource(path.back())) strays_.push_back(path);
+    if (mayBeMeant(path.back())) strays_.push_back(path);
     ignore(path, "");
   }
 }
@@ -261,7 +275,7 @@ std::vector<std::string> Collector::near(const std::string& topic, const std::st
     const std::string guess = nearest(plainStem(stray.back()), stems);
     if (home == topic) {
       inFolder.push_back(show(stray));
-    } else if (guess == plainStem(file)) {
+    } else if (guess == plainStem(file) || isNamedAlike(stray.back(), file)) {
       alike.push_back(show(stray));
     } else if (home.empty() && guess.empty()) {
       others.push_back(show(stray));

@@ -99,6 +99,7 @@ class Collector {
   /// isHidden(), and counts it.
   bool passOver(const RelativePath& path);
   bool isHandedOut(const RelativePath& path) const;
+  bool mayBeMeant(const std::string& name) const;
 
   static void settle(const Key& key, const Slot& slot, Submission& submission);
   static std::string differing(const std::string& file, const Slot& slot);

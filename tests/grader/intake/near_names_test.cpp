@@ -92,6 +92,14 @@ TEST_F(HandInNames, EqualOnesCountOnce) {
   EXPECT_EQ(s.taken.at("triangle"), "triangle.cpp is there 2 times, all equal");
 }
 
+TEST_F(HandInNames, ATextIsTakenWhereThereIsNothingElse) {
+  folder_.write("spring_1d.txt", "one");
+  EXPECT_EQ(take().taken.at("spring_1d"), "spring_1d.cpp is taken from 'spring_1d.txt'");
+  folder_.write("work/spring_1d.cpp", "two");
+  EXPECT_EQ(spring(take()), "two");
+  EXPECT_TRUE(isNoted(take(), "ignored: spring_1d.txt (another one counts)"));
+}
+
 TEST_F(HandInNames, OfAnotherExercisesFolderAreNotTaken) {
   folder_.write("Triangle (1)/spring_1d (1).cpp", "misplaced");
   EXPECT_TRUE(take().sources.empty());
@@ -124,6 +132,21 @@ TEST_F(HandInTopics, AskAboutANameSpelledAlike) {
   const Submission s = take();
   EXPECT_EQ(s.missing.at("spring_1d"), "no spring_1d.cpp; is 'sprng_1d.cpp' meant?");
   EXPECT_EQ(s.missing.at("triangle"), "no triangle.cpp; is 'triangel.cpp' meant?");
+}
+
+TEST_F(HandInTopics, AskAboutAnotherSuffix) {
+  folder_.write("spring_1d.hpp", "one");
+  folder_.write("triangle.cpp.bak", "two");
+  folder_.write("triangle.h", "as handed out");
+  const Submission s = take();
+  EXPECT_EQ(s.missing.at("spring_1d"), "no spring_1d.cpp; is 'spring_1d.hpp' meant?");
+  EXPECT_EQ(s.missing.at("triangle"), "no triangle.cpp; is 'triangle.cpp.bak' meant?");
+}
+
+TEST_F(HandInTopics, SayThatTheirFileLiesInAHiddenFolder) {
+  writeArchive(folder_.path() / "a.zip", Format::Zip, {{".work/spring_1d.cpp", "one"}});
+  EXPECT_EQ(take().refused.at("spring_1d"),
+            "no spring_1d.cpp; ignored a.zip/.work/spring_1d.cpp: it lies in a hidden folder");
 }
 
 TEST_F(HandInTopics, AskAboutTheExactNameInTheWrongFolder) {
