@@ -125,9 +125,7 @@ class OpenArchive {
     offer(entry, path);
   }
 
-  static std::string lastOf(std::string_view name) {
-    return std::string(name.substr(name.find_last_of("/\\") + 1));
-  }
+  static std::string lastOf(std::string_view name) { return std::string(name.substr(name.find_last_of("/\\") + 1)); }
 
   static std::string split(std::string_view name, RelativePath& path) {
     // Some programs for Windows write "spring_1d\\spring_1d.cpp".
@@ -175,8 +173,8 @@ class OpenArchive {
     texts_[path] = bytes;
   }
 
-  /// Unpacks an entry, whole when it is an archive, else a little more of it than a source may have: what does not count
-  /// is unpacked too, so that the limits hold for it and its checksum is compared. True when it is an archive.
+  /// Unpacks an entry, whole when it is an archive, else a little more of it than a source may have: what does not
+  /// count is unpacked too, so that the limits hold for it and its checksum is compared. True when it is an archive.
   bool read(const RelativePath& path, std::string& head, std::string& bytes) {
     const std::size_t limit = collector_.limits().sourceBytes;
     const bool isHidden = Collector::isHidden(path);
@@ -253,8 +251,7 @@ void ArchiveReader::readInside(const std::string& bytes, const RelativePath& pat
 bool ArchiveReader::countEntry() {
   const std::size_t limit = collector_.limits().entries;
   if (++entries_ == limit + 1)
-    collector_.skipped("",
-                       fmt::format("only the first {} entries were looked at: hand in the exercises alone", limit));
+    collector_.skipped("", fmt::format("only the first {} entries were looked at: hand in the exercises alone", limit));
   return entries_ <= limit;
 }
 

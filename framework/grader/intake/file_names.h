@@ -7,8 +7,8 @@
 
 namespace muelle::grader {
 
-/// True for "x.cpp", "x.cc", "x.cxx", "x.c++", "x.C", whatever the letter case, and with what browsers, editors and mail
-/// put behind: "x.cpp.txt", "x.cpp.txt.txt", "x.cpp (1)", "x.cpp.1", "x.cpp.download".
+/// True for "x.cpp", "x.cc", "x.cxx", "x.c++", "x.C", whatever the letter case, and with what browsers, editors and
+/// mail put behind: "x.cpp.txt", "x.cpp.txt.txt", "x.cpp (1)", "x.cpp.1", "x.cpp.download".
 bool isSourceName(std::string_view name);
 
 /// True when `name` is `wanted` as a download, a copy or another system spells it: "spring_1d (1).cpp",

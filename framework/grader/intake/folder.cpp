@@ -148,8 +148,8 @@ class Walk {
     return file.st_nlink > 1 && (::fstat(folder.get(), &owner) != 0 || owner.st_uid != file.st_uid);
   }
 
-  /// Null with the trouble when it cannot be opened. The name was a regular file a moment ago; O_NONBLOCK and the second
-  /// look are for one that changed since.
+  /// Null with the trouble when it cannot be opened. The name was a regular file a moment ago; O_NONBLOCK and the
+  /// second look are for one that changed since.
   static Descriptor openRegular(const Descriptor& folder, const std::string& name, Content& trouble) {
     Descriptor file(::openat(folder.get(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     struct stat status {};

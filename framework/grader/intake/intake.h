@@ -56,4 +56,10 @@ Submission takeSubmission(const std::filesystem::path& path, const std::vector<M
                           const IntakeLimits& limits = {}, const std::vector<std::string>& only = {},
                           const SourcesByTopic& stubs = {});
 
+/// The same for a hand-in of several files or folders side by side, as Moodle gives them. What is neither a source nor
+/// an archive is ignored among several. Takes its name and path from the first.
+Submission takeSubmission(const std::vector<std::filesystem::path>& parts, const std::vector<Manifest>& course,
+                          const IntakeLimits& limits = {}, const std::vector<std::string>& only = {},
+                          const SourcesByTopic& stubs = {});
+
 }  // namespace muelle::grader

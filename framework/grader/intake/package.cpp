@@ -35,8 +35,8 @@ constexpr std::array<Kind, 9> unopenedContents{{{"Rar!\x1a\x07", 0, "RAR"},
                                                 {"LZIP", 0, "lzip"},
                                                 {"StuffIt", 0, "StuffIt"},
                                                 {"\x1f\x9d", 0, "compress"}}};
-constexpr std::array<std::string_view, 16> unopenedSuffixes{".rar", ".lzh",  ".lha", ".arj",  ".cab", ".ace",
-                                                            ".sit", ".sitx", ".dmg", ".iso",  ".alz", ".egg",
+constexpr std::array<std::string_view, 16> unopenedSuffixes{".rar", ".lzh",  ".lha", ".arj", ".cab", ".ace",
+                                                            ".sit", ".sitx", ".dmg", ".iso", ".alz", ".egg",
                                                             ".lz",  ".lzma", ".z01", ".001"};
 
 struct Ending {

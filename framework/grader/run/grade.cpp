@@ -93,12 +93,14 @@ void Grader::count(std::atomic<int>& counter, int by) {
   if (listener_) listener_();
 }
 
-Submission Grader::take(const std::filesystem::path& path) const {
+Submission Grader::take(const std::filesystem::path& path) const { return take(std::vector{path}); }
+
+Submission Grader::take(const std::vector<std::filesystem::path>& parts) const {
   std::vector<std::string> only;
   if (course_.size() < wholeCourse_.size()) {
     for (const Manifest& manifest : course_) only.push_back(manifest.topic);
   }
-  return takeSubmission(path, wholeCourse_, {}, only, stubs_);
+  return takeSubmission(parts, wholeCourse_, {}, only, stubs_);
 }
 
 void Grader::add(Pool& pool, const Submission& submission, std::function<void(GradedSubmission)> done) {

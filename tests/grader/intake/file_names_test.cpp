@@ -6,17 +6,34 @@ namespace muelle::grader {
 namespace {
 
 TEST(NearNames, AreWhatBrowsersAndSystemsMakeOfThem) {
-  for (const char* name :
-       {"spring_1d (1).cpp",     "spring_1d(1).cpp",      "spring_1d-1.cpp",
-        "spring_1d_2.cpp",       "spring_1d - Copy.cpp",  "spring_1d - Copy (2).cpp",
-        "spring_1d copy 2.cpp",  "spring_1d - copia.cpp", "Copia de spring_1d.cpp",
-        "Copy of spring_1d.cpp", "spring_1d.cc",          "spring_1d.cxx",
-        "spring_1d.C",           "spring_1d.c++",         "spring_1d.cpp.txt",
-        "Spring_1D.CPP",         "spring-1d.cpp",         "spring 1d.cpp",
-        " spring_1d .cpp ",      "spring_1d (1).cpp.txt", "spring_1d.cpp (1)",
-        "spring_1d.cpp(2)",      "spring_1d.cpp.1",       "spring_1d.cpp.download",
-        "spring_1d.cpp.txt.txt", "spring_1d.cpp copy",    "spring_1d (1).cpp.download",
-        "Ana García_123_assignsubmission_file_spring_1d.cpp"})
+  for (const char* name : {"spring_1d (1).cpp",
+                           "spring_1d(1).cpp",
+                           "spring_1d-1.cpp",
+                           "spring_1d_2.cpp",
+                           "spring_1d - Copy.cpp",
+                           "spring_1d - Copy (2).cpp",
+                           "spring_1d copy 2.cpp",
+                           "spring_1d - copia.cpp",
+                           "Copia de spring_1d.cpp",
+                           "Copy of spring_1d.cpp",
+                           "spring_1d.cc",
+                           "spring_1d.cxx",
+                           "spring_1d.C",
+                           "spring_1d.c++",
+                           "spring_1d.cpp.txt",
+                           "Spring_1D.CPP",
+                           "spring-1d.cpp",
+                           "spring 1d.cpp",
+                           " spring_1d .cpp ",
+                           "spring_1d (1).cpp.txt",
+                           "spring_1d.cpp (1)",
+                           "spring_1d.cpp(2)",
+                           "spring_1d.cpp.1",
+                           "spring_1d.cpp.download",
+                           "spring_1d.cpp.txt.txt",
+                           "spring_1d.cpp copy",
+                           "spring_1d (1).cpp.download",
+                           "Ana García_123_assignsubmission_file_spring_1d.cpp"})
     EXPECT_TRUE(isNearName(name, "spring_1d.cpp")) << name;
 }
 
@@ -27,7 +44,8 @@ TEST(NearNames, AreNoOtherFiles) {
 }
 
 TEST(NearNames, OfATextMayBeANotes) {
-  for (const char* name : {"spring_1d.txt", "Spring-1D (1).txt"}) EXPECT_TRUE(isTextNamedAs(name, "spring_1d.cpp")) << name;
+  for (const char* name : {"spring_1d.txt", "Spring-1D (1).txt"})
+    EXPECT_TRUE(isTextNamedAs(name, "spring_1d.cpp")) << name;
   for (const char* name : {"spring_1d.cpp.txt", "notes.txt", "spring_1d.pdf", "spring_1d"})
     EXPECT_FALSE(isTextNamedAs(name, "spring_1d.cpp")) << name;
 }

@@ -62,9 +62,10 @@ TEST_F(FolderLayout, RefusesTwoThatDifferWhereverTheyLie) {
   folder_.write("old/copy/triangle/triangle.cpp", "deep");
   const Submission s = take();
   EXPECT_TRUE(s.sources.empty());
-  EXPECT_EQ(s.refused.at("spring_1d"),
-            "spring_1d.cpp is there 2 times, and 'deep/deeper/spring_1d/spring_1d.cpp' and 'spring_1d.cpp' differ: hand "
-            "in one, named spring_1d.cpp");
+  EXPECT_EQ(
+      s.refused.at("spring_1d"),
+      "spring_1d.cpp is there 2 times, and 'deep/deeper/spring_1d/spring_1d.cpp' and 'spring_1d.cpp' differ: hand "
+      "in one, named spring_1d.cpp");
   EXPECT_NE(s.refused.at("triangle").find("'triangle/triangle.cpp' and 'old/copy/triangle/triangle.cpp' differ"),
             std::string::npos);
 }

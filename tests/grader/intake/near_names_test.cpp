@@ -42,7 +42,8 @@ TEST_F(HandInNames, TheExactOneDoesNotGoBeforeANearOneThatDiffers) {
 class HandInStubs : public HandIn {
  protected:
   Submission take() const {
-    return takeSubmission(folder_.path(), smallCourse(), {}, {}, {{"spring_1d", {{"spring_1d.cpp", "// yours\n{}\n"}}}});
+    return takeSubmission(folder_.path(), smallCourse(), {}, {},
+                          {{"spring_1d", {{"spring_1d.cpp", "// yours\n{}\n"}}}});
   }
 };
 
@@ -52,8 +53,9 @@ TEST_F(HandInStubs, DoNotCountBesideAnother) {
   folder_.write("spring_1d (1).cpp", "one");
   const Submission s = take();
   EXPECT_EQ(spring(s), "one");
-  EXPECT_TRUE(isNoted(s, "is taken from 'spring_1d (1).cpp'; is not the untouched stub "
-                         "'old/spring_1d/spring_1d.cpp', since 'spring_1d (1).cpp' is there too"));
+  EXPECT_TRUE(isNoted(s,
+                      "is taken from 'spring_1d (1).cpp'; is not the untouched stub "
+                      "'old/spring_1d/spring_1d.cpp', since 'spring_1d (1).cpp' is there too"));
 }
 
 TEST_F(HandInStubs, CountAlone) {

@@ -60,8 +60,9 @@ TEST_F(Packages, ThatAreNotOpenedAreSaid) {
   const std::string line = "an archive of the kind RAR is not opened: hand in a folder, or a zip, tar or 7z archive";
   expectSaid("handin.rar", "Rar!\x1a\x07\x01 and so on", "ignored handin.rar: " + line);
   expectSaid("handin", "Rar!\x1a\x07\x01 and so on", "ignored handin: " + line);
-  expectSaid("handin.zip.001", "PK", "ignored handin.zip.001: an archive of the kind .001 is not opened: hand in a folder, "
-                                      "or a zip, tar or 7z archive");
+  expectSaid("handin.zip.001", "PK",
+             "ignored handin.zip.001: an archive of the kind .001 is not opened: hand in a folder, "
+             "or a zip, tar or 7z archive");
 }
 
 TEST_F(Packages, PlaceholdersAreSaid) {
@@ -72,11 +73,14 @@ TEST_F(Packages, PlaceholdersAreSaid) {
 }
 
 TEST_F(Packages, ShortcutsAndPartsOfDownloadsAreSaid) {
-  expectSaid("spring_1d.cpp - Shortcut.lnk", "L", "ignored spring_1d.cpp - Shortcut.lnk: a shortcut: hand in the file itself");
-  expectSaid("spring_1d.cpp.crdownload", "one", "ignored spring_1d.cpp.crdownload: a download that did not end: hand in the "
-                                                "whole file");
-  expectSaid("spring_1d.cpp.gz", "\x1f\x8b", "ignored spring_1d.cpp.gz: a compressed file alone is not opened: hand in the "
-                                              "file itself");
+  expectSaid("spring_1d.cpp - Shortcut.lnk", "L",
+             "ignored spring_1d.cpp - Shortcut.lnk: a shortcut: hand in the file itself");
+  expectSaid("spring_1d.cpp.crdownload", "one",
+             "ignored spring_1d.cpp.crdownload: a download that did not end: hand in the "
+             "whole file");
+  expectSaid("spring_1d.cpp.gz", "\x1f\x8b",
+             "ignored spring_1d.cpp.gz: a compressed file alone is not opened: hand in the "
+             "file itself");
 }
 
 TEST_F(Packages, OfAnotherFileSayNothingOfThisOne) {
