@@ -242,7 +242,8 @@ void ArchiveReader::read(const std::string& bytes, const std::string& name) {
 void ArchiveReader::readInside(const std::string& bytes, const RelativePath& path) {
   if (opened_ == maximalOpen)
     return collector_.skipped(
-        "", fmt::format("ignored {}: an archive in an archive is opened, a deeper one is not", show(path)));
+        "", fmt::format("ignored {}: an archive in an archive is opened, a deeper one is not; hand in the folder",
+                        show(path)));
   ++opened_;
   open(bytes, show(path), path);
   --opened_;

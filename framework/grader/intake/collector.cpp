@@ -360,13 +360,14 @@ void Collector::take(const Key& key, const Slot& slot, Submission& submission) {
   const auto& [topic, file] = key;
   const Candidate& taken = slot.best ? *slot.best : *slot.stub;
   submission.sources[topic][file] = taken.content.bytes;
+  const bool isBesideAStub = slot.best && slot.stub;
+  const std::string stub =
+      isBesideAStub ? fmt::format(", since '{}' is the stub as handed out", show(slot.stub->path)) : "";
   std::vector<std::string> said;
-  if (std::get<0>(taken.rank) != 0) said.push_back(fmt::format("is taken from '{}'", show(taken.path)));
+  if (isBesideAStub || std::get<0>(taken.rank) != 0)
+    said.push_back(fmt::format("is taken from '{}'{}", show(taken.path), stub));
   if (slot.places > 1) said.push_back(fmt::format("is there {} times, all equal", slot.places));
   if (!taken.note.empty()) said.push_back(taken.note);
-  if (slot.best && slot.stub)
-    said.push_back(fmt::format("is not the untouched stub '{}', since '{}' is there too", show(slot.stub->path),
-                               show(taken.path)));
   if (said.empty()) return;
   std::string& how = submission.taken[topic];
   how += fmt::format("{}{} {}", how.empty() ? "" : "; ", file, fmt::join(said, "; "));

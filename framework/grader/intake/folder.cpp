@@ -138,7 +138,8 @@ class Walk {
 
   void enter(const RelativePath& path) {
     if (Collector::isHidden(path)) return collector_.notAFile(path, "is hidden");
-    if (path.size() > maximalDepth) return collector_.skipped("", fmt::format("ignored {}/: too deep", show(path)));
+    if (path.size() > maximalDepth)
+      return collector_.skipped("", fmt::format("ignored {}/: too deep; hand in the exercises alone", show(path)));
     pending_.push_back(path);
   }
 

@@ -161,8 +161,10 @@ TEST_F(InnerArchive, ADeeperOneIsSaidAndIgnored) {
   const Submission s = take(make({{"b.zip", inner}}, Format::Zip));
   EXPECT_TRUE(s.sources.empty());
   EXPECT_TRUE(isNoted(s, "ignored b.zip/c.zip: an archive in an archive is opened, a deeper one is not"));
-  EXPECT_EQ(s.refused.at("triangle"),
-            "no triangle.cpp; ignored b.zip/c.zip: an archive in an archive is opened, a deeper one is not");
+  EXPECT_EQ(
+      s.refused.at("triangle"),
+      "no triangle.cpp; ignored b.zip/c.zip: an archive in an archive is opened, a deeper one is not; hand in the "
+      "folder");
 }
 
 TEST_F(InnerArchive, SharesTheLimits) {
