@@ -47,10 +47,11 @@ class Grading {
     ClassRow& row = class_.rows[i];
     row.student = entry.student;
     try {
-      Submission submission = grader_.take(entry.path);
+      Submission submission = grader_.take(entry.parts);
       submission.name = entry.student;
-      grader_.add(pool_, submission,
-                  [this, i, path = entry.path](GradedSubmission graded) { finish(i, path, std::move(graded)); });
+      grader_.add(pool_, submission, [this, i, path = entry.parts.front()](GradedSubmission graded) {
+        finish(i, path, std::move(graded));
+      });
     } catch (const std::exception& error) {
       row.trouble = error.what();
       count();

@@ -1,8 +1,8 @@
 #include "grader/intake/archive.h"
 
 #include "base/text/printable.h"
-#include "grader/intake/file_names.h"
 #include "grader/intake/gzip_checksum.h"
+#include "grader/intake/package.h"
 #include "grader/intake/read_file.h"
 
 #include <archive.h>
@@ -11,6 +11,7 @@
 #include <locale.h>
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string_view>
@@ -42,18 +43,6 @@ class Utf8Names {
   locale_t before_{};
 };
 
-/// The compression by the file's first bytes; ARCHIVE_FILTER_NONE when there is none.
-int compressionOf(std::string_view bytes) {
-  if (bytes.starts_with("\x1f\x8b")) return ARCHIVE_FILTER_GZIP;
-  if (bytes.starts_with("BZh")) return ARCHIVE_FILTER_BZIP2;
-  if (bytes.starts_with(std::string_view("\xfd"
-                                         "7zXZ\0",
-                                         6)))
-    return ARCHIVE_FILTER_XZ;
-  if (bytes.starts_with("\x28\xb5\x2f\xfd")) return ARCHIVE_FILTER_ZSTD;
-  return ARCHIVE_FILTER_NONE;
-}
-
 /// One archive while it is read.
 class OpenArchive {
  public:
@@ -65,6 +54,7 @@ class OpenArchive {
         collector_(reader.collector()),
         archive_(::archive_read_new(), ::archive_read_free) {
     if (!archive_) throw std::bad_alloc();
+    checkGzip();
     chooseFormat(compressionOf(bytes));
     if (::archive_read_open_memory(archive_.get(), bytes.data(), bytes.size()) != ARCHIVE_OK) fail();
   }
@@ -81,10 +71,6 @@ class OpenArchive {
       visit(entry);
     }
     if (isEmpty) collector_.note(fmt::format("the archive {} is empty", name_));
-    if (compressionOf(bytes_) != ARCHIVE_FILTER_GZIP) return;
-    // More than the limit of what is in the files: a tar archive has headers too.
-    const std::string fault = gzipFault(bytes_, 2 * collector_.limits().archiveBytes);
-    if (!fault.empty()) fail(fault);
   }
 
  private:
@@ -106,6 +92,13 @@ class OpenArchive {
     }
   }
 
+  void checkGzip() const {
+    if (compressionOf(bytes_) != ARCHIVE_FILTER_GZIP) return;
+    // More than the limit of what is in the files: a tar archive has headers too.
+    const std::string fault = gzipFault(bytes_, 2 * collector_.limits().archiveBytes);
+    if (!fault.empty()) fail(fault);
+  }
+
   [[noreturn]] void fail() const {
     const char* reason = ::archive_error_string(archive_.get());
     fail(reason == nullptr ? "it is broken" : cut(printableLine(reason), 200));
@@ -124,12 +117,15 @@ class OpenArchive {
     RelativePath path = folder_;
     const std::string trouble = raw == nullptr ? "its name cannot be read" : split(raw, path);
     if (!trouble.empty()) {
-      collector_.note(
-          fmt::format("ignored {}: {}", raw == nullptr ? "an entry" : cut(printableLine(raw), 80), trouble));
+      collector_.skipped(raw == nullptr ? "" : lastOf(raw),
+                         fmt::format("ignored {}: {}; make the archive again, of the folder with the exercises",
+                                     raw == nullptr ? "an entry" : cut(printableLine(raw), 80), trouble));
       return skip();
     }
     offer(entry, path);
   }
+
+  static std::string lastOf(std::string_view name) { return std::string(name.substr(name.find_last_of("/\\") + 1)); }
 
   static std::string split(std::string_view name, RelativePath& path) {
     // Some programs for Windows write "spring_1d\\spring_1d.cpp".
@@ -149,40 +145,55 @@ class OpenArchive {
   void offer(archive_entry* entry, const RelativePath& path) {
     const auto type = ::archive_entry_filetype(entry);
     if (path.size() == folder_.size() || type == AE_IFDIR) return skip();
-    if (::archive_entry_hardlink(entry) != nullptr) return refuse(path, "is a hard link");
+    if (const char* target = ::archive_entry_hardlink(entry)) return offerAgain(target, path);
     if (type == AE_IFLNK || ::archive_entry_symlink(entry) != nullptr) return refuse(path, "is a symbolic link");
     if (type == AE_IFIFO) return refuse(path, "is a named pipe");
     if (type == AE_IFCHR || type == AE_IFBLK) return refuse(path, "is a device");
     if (type != AE_IFREG) return refuse(path, "is no regular file");
-    if (isArchiveName(path.back()) && !Collector::isSkipped(path.back())) return enter(path);
-    bool wanted = false;
-    collector_.file(path, [&] {
-      wanted = true;
-      return read();
-    });
-    if (!wanted) skip();
+    std::string head;
+    std::string bytes;
+    const bool isAnArchive = read(path, head, bytes);
+    if (isAnArchive) return reader_.readInside(bytes, path);
+    collector_.regularFile(path, head, [&] { return contentOf(bytes); });
+    // A tar archive may say later that another name has the same bytes.
+    if ((::archive_format(archive_.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_TAR)
+      texts_[path] = std::move(bytes);
   }
 
-  /// Its bytes are among those that are counted, and cannot be more than the limit.
-  void enter(const RelativePath& path) {
-    std::string bytes;
-    unpack([&](std::string_view piece) { bytes += piece; });
-    reader_.readInside(bytes, path);
+  /// A hard link in an archive is a second name of what the archive holds. Outside of it nothing is looked for.
+  void offerAgain(const char* target, const RelativePath& path) {
+    RelativePath first = folder_;
+    const std::string trouble = split(target, first);
+    const auto text = texts_.find(first);
+    if (!trouble.empty() || text == texts_.end())
+      return refuse(path, "is a hard link to what the archive does not hold: hand in the file itself");
+    skip();
+    const std::string bytes = text->second;
+    collector_.regularFile(path, bytes.substr(0, headBytes), [&] { return contentOf(bytes); });
+    texts_[path] = bytes;
+  }
+
+  /// Unpacks an entry, whole when it is an archive, else a little more of it than a source may have: what does not
+  /// count is unpacked too, so that the limits hold for it and its checksum is compared. True when it is an archive.
+  bool read(const RelativePath& path, std::string& head, std::string& bytes) {
+    const std::size_t limit = collector_.limits().sourceBytes;
+    const bool isHidden = Collector::isHidden(path);
+    unpack([&](std::string_view piece) {
+      if (head.size() < headBytes) head += piece.substr(0, headBytes - head.size());
+      if (bytes.size() <= limit || (!isHidden && isArchive(path.back(), head))) bytes += piece;
+    });
+    return !isHidden && isArchive(path.back(), head);
+  }
+
+  Content contentOf(const std::string& bytes) const {
+    const std::size_t limit = collector_.limits().sourceBytes;
+    if (bytes.size() > limit) return Content::refused(fmt::format("is larger than {}", showBytes(limit)));
+    return {bytes};
   }
 
   void refuse(const RelativePath& path, const std::string& why) {
     collector_.notAFile(path, why);
     skip();
-  }
-
-  Content read() {
-    const std::size_t limit = collector_.limits().sourceBytes;
-    std::string text;
-    unpack([&](std::string_view piece) {
-      if (text.size() <= limit) text += piece;
-    });
-    if (text.size() > limit) return Content::refused(fmt::format("is larger than {}", showBytes(limit)));
-    return {std::move(text)};
   }
 
   /// What does not count is unpacked too, so that the limit holds for it (a plain skip would inflate without end) and
@@ -209,6 +220,7 @@ class OpenArchive {
   const RelativePath& folder_;
   ArchiveReader& reader_;
   Collector& collector_;
+  std::map<RelativePath, std::string> texts_;  ///< of a tar archive's files; no more than the limit of unpacked bytes
   std::unique_ptr<archive, int (*)(archive*)> archive_;
 };
 
@@ -229,21 +241,18 @@ void ArchiveReader::read(const std::string& bytes, const std::string& name) {
 
 void ArchiveReader::readInside(const std::string& bytes, const RelativePath& path) {
   if (opened_ == maximalOpen)
-    return collector_.note(
-        fmt::format("ignored {}: an archive in an archive is opened, a deeper one is not", show(path)));
+    return collector_.skipped(
+        "", fmt::format("ignored {}: an archive in an archive is opened, a deeper one is not; hand in the folder",
+                        show(path)));
   ++opened_;
-  try {
-    open(bytes, show(path), path);
-  } catch (const std::runtime_error& error) {
-    collector_.brokenArchive(error.what());
-  }
+  open(bytes, show(path), path);
   --opened_;
 }
 
 bool ArchiveReader::countEntry() {
   const std::size_t limit = collector_.limits().entries;
   if (++entries_ == limit + 1)
-    collector_.note(fmt::format("only the first {} entries were looked at: hand in the exercises alone", limit));
+    collector_.skipped("", fmt::format("only the first {} entries were looked at: hand in the exercises alone", limit));
   return entries_ <= limit;
 }
 
@@ -255,11 +264,9 @@ void ArchiveReader::countBytes(std::size_t bytes, const std::string& name) {
         fmt::format("the archive {} unpacks to more than {}: hand in the sources alone", name, showBytes(limit)));
 }
 
-bool beginsAsArchive(std::string_view bytes) {
-  constexpr std::size_t tarMark = 257;
-  const bool isTar = bytes.size() > tarMark && bytes.substr(tarMark).starts_with("ustar");
-  return isTar || compressionOf(bytes) != ARCHIVE_FILTER_NONE || bytes.starts_with("PK\x03\x04") ||
-         bytes.starts_with("PK\x05\x06") || bytes.starts_with("7z\xbc\xaf\x27\x1c");
+void refuseLargeArchive(const std::string& name, std::size_t limit) {
+  throw std::runtime_error(
+      fmt::format("the archive {} is larger than {}: hand in the sources alone", name, showBytes(limit)));
 }
 
 }  // namespace muelle::grader

@@ -20,7 +20,8 @@ class ArchiveReader {
   void read(const std::string& bytes, const std::string& name);
 
   /// An archive that lies in the submission, at `path`. At most two are open at a time, an archive in an archive; a
-  /// deeper one is ignored and said so. What read() throws is told to the collector instead.
+  /// deeper one is ignored and said so. Throws as read() does: a broken archive is broken wherever it lies, or it would
+  /// depend on what else is there whether it counts.
   void readInside(const std::string& bytes, const RelativePath& path);
 
   /// Counts one more entry of an archive or folder; false, and said once, when that is more than the limit.
@@ -40,7 +41,7 @@ class ArchiveReader {
   int opened_ = 0;  ///< archives being read now, one in the other
 };
 
-/// True when the bytes begin as one of the archives that are read.
-bool beginsAsArchive(std::string_view bytes);
+/// Throws the std::runtime_error, one line, of an archive that is larger than `limit` bytes itself.
+[[noreturn]] void refuseLargeArchive(const std::string& name, std::size_t limit);
 
 }  // namespace muelle::grader

@@ -7,7 +7,8 @@ namespace muelle::grader {
 
 /// One submission of a class.
 struct ClassEntry {
-  std::filesystem::path path;
+  /// A folder or a file; several where Moodle gives a student's files side by side.
+  std::vector<std::filesystem::path> parts;
   std::string student;  ///< printable and unlike every other entry's: "Ana García (12345)"
 };
 
@@ -18,9 +19,10 @@ struct ClassFolder {
 };
 
 /// Lists the children of a folder, each one submission: a folder, an archive, a source alone, or any other file that
-/// may be meant as one (taking it says what is wrong with it). Hidden files, links, Moodle's texts typed online, and
-/// grade books, PDFs and the like that bear no student's mark are noted instead.
-/// Throws std::runtime_error when the folder cannot be read.
+/// may be meant as one (taking it says what is wrong with it). Files of one name and number of Moodle's are one
+/// submission. Hidden files, links, Moodle's texts typed online, and texts, pictures, grade books and the like that
+/// bear no student's mark are noted instead; what systems leave behind (.DS_Store) is not spoken of. Throws
+/// std::runtime_error when the folder cannot be read.
 ClassFolder listClass(const std::filesystem::path& folder);
 
 /// The student that a child's name tells: "Ana García (12345)" for Moodle's "Ana García_12345_assignsubmission_file_",

@@ -4,13 +4,13 @@
 #include "base/text/printable.h"
 #include "course/check/source_text.h"
 #include "grader/intake/file_names.h"
+#include "grader/intake/package.h"
 #include "grader/intake/read_file.h"
 #include "grader/run/digest.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
-#include <stdexcept>
 
 namespace muelle::grader {
 
@@ -21,6 +21,7 @@ static_assert(IntakeLimits{}.sourceBytes == largestSource, "check refuses a file
 constexpr std::size_t shownNames = 4;
 constexpr std::size_t shownNearNames = 3;
 constexpr std::size_t shownNameBytes = 80;
+constexpr int textRank = 2;  ///< of a name that may be a note's
 
 /// "a, b, c, d, ..." and nothing of what is not shown.
 std::string list(const std::vector<std::string>& names) {
@@ -33,6 +34,13 @@ std::string parentOf(const RelativePath& path) { return path.size() > 1 ? path[p
 
 /// Sources that every exercise hands out; nobody's answer.
 bool isHandedOutSource(const std::string& name) { return name == "demo.cpp" || name == "public_test.cpp"; }
+
+/// Without what an editor or a system changes of itself.
+std::string asWritten(std::string text) {
+  std::erase(text, '\r');
+  text.erase(text.find_last_not_of(" \t\n") + 1);
+  return text;
+}
 
 std::string hashOf(const Submission& submission) {
   std::string hash;
@@ -48,17 +56,23 @@ std::string show(const RelativePath& path) {
   return cut(printableLine(fmt::format("{}", fmt::join(path, "/"))), 2 * shownNameBytes);
 }
 
-Collector::Collector(const std::vector<Manifest>& course, IntakeLimits limits, std::vector<std::string> only)
-    : course_(course), limits_(limits), only_(std::move(only)) {}
-
-bool Collector::isSkipped(const std::string& component) {
-  return component.starts_with('.') || component == "__MACOSX";
-}
+Collector::Collector(const std::vector<Manifest>& course, IntakeLimits limits, std::vector<std::string> only,
+                     SourcesByTopic stubs)
+    : course_(course), limits_(limits), only_(std::move(only)), stubs_(std::move(stubs)) {}
 
 bool Collector::isHidden(const RelativePath& path) {
-  const bool hidden = std::any_of(path.begin(), path.end(), isSkipped);
-  if (hidden) ++hidden_;
-  return hidden;
+  return std::any_of(path.begin(), path.end(), [](const std::string& component) {
+    return component.starts_with('.') || component == "__MACOSX";
+  });
+}
+
+bool Collector::passOver(const RelativePath& path) {
+  if (!isHidden(path)) return false;
+  ++hidden_;
+  const bool isAFork = std::find(path.begin(), path.end(), "__MACOSX") != path.end();
+  if (!isAFork && !path.back().starts_with('.'))
+    skipped_.emplace_back(path.back(), fmt::format("ignored {}: it lies in a hidden folder", show(path)));
+  return true;
 }
 
 bool Collector::isAskedFor(const std::string& topic) const {
@@ -93,6 +107,7 @@ std::vector<std::pair<Collector::Key, Collector::Rank>> Collector::wantedBy(cons
       const Key key{manifest.topic, wanted};
       if (name == wanted) exact.emplace_back(key, Rank{0, place, path.size()});
       if (isNearName(name, wanted)) near.emplace_back(key, Rank{1, place, path.size()});
+      if (isTextNamedAs(name, wanted)) near.emplace_back(key, Rank{textRank, place, path.size()});
     }
   }
   if (isAName) return exact;
@@ -101,21 +116,40 @@ std::vector<std::pair<Collector::Key, Collector::Rank>> Collector::wantedBy(cons
   return near;
 }
 
+/// A source, or what is named as one that is wanted; not a contract, which is handed out under such a name.
+bool Collector::mayBeMeant(const std::string& name) const {
+  if (isHandedOutSource(name)) return false;
+  return isSourceName(name) || std::any_of(course_.begin(), course_.end(), [&](const Manifest& manifest) {
+           return name != manifest.topic + ".h" &&
+                  std::any_of(manifest.files.begin(), manifest.files.end(),
+                              [&](const std::string& wanted) { return isNamedAlike(name, wanted); });
+         });
+}
+
 void Collector::file(const RelativePath& path, const std::function<Content()>& read) {
   ++seen_;
-  if (isHidden(path)) return;
+  if (passOver(path)) return;
   if (!wantedBy(path).empty()) return offer(path, read);
   if (isHandedOut(path)) {
     ++handedOut_;
   } else {
-    if (isSourceName(path.back()) && !isHandedOutSource(path.back())) strays_.push_back(path);
+    if (mayBeMeant(path.back())) strays_.push_back(path);
     ignore(path, "");
   }
 }
 
+void Collector::regularFile(const RelativePath& path, std::string_view head, const std::function<Content()>& read) {
+  const RelativePath folder(path.begin(), path.end() - 1);
+  const bool isPlain = isHidden(folder) || !wantedBy(path).empty();
+  const std::optional<StandIn> other = isPlain ? std::nullopt : standIn(path.back(), head);
+  if (!other) return file(path, read);
+  ++seen_;
+  skipped(other->name, fmt::format("ignored {}: {}", show(path), other->why));
+}
+
 void Collector::notAFile(const RelativePath& path, const std::string& why) {
   ++seen_;
-  if (isHidden(path)) return;
+  if (passOver(path)) return;
   if (!wantedBy(path).empty()) {
     offer(path, [&] { return Content::refused(why); });
   } else {
@@ -129,45 +163,66 @@ void Collector::unreadableFolder(const RelativePath& path, const std::string& wh
   note(fmt::format("{}/ {}", show(path), why));
 }
 
-void Collector::brokenArchive(const std::string& why) { broken_.push_back(why); }
-
 void Collector::note(const std::string& what) { notes_.push_back(what); }
+
+void Collector::skipped(const std::string& name, const std::string& what) {
+  skipped_.emplace_back(isArchiveName(name) ? "" : name, what);
+  note(what);
+}
 
 void Collector::offer(const RelativePath& path, const std::function<Content()>& read) {
   for (const auto& [key, rank] : wantedBy(path)) {
-    if (!isAskedFor(key.first)) continue;
-    Slot& slot = slots_[key];
-    const bool isFirst = slot.places.empty();
-    if (!isFirst && rank > slot.rank) {
-      ignore(path, "another one counts");
-    } else if (!isFirst && rank == slot.rank) {
-      add(slot, path, slot.differ ? Content{} : read());
-    } else {
-      for (const RelativePath& worse : slot.places) ignore(worse, "another one counts");
-      slot = Slot{rank, {}, {}};
-      add(slot, path, read());
-    }
+    if (isAskedFor(key.first)) add(key, candidate(path, rank, read()));
   }
 }
 
-/// One more place of the slot's rank. Only the first one's text is kept: a submission of ten thousand copies takes no
-/// more room than one.
-void Collector::add(Slot& slot, const RelativePath& path, Content content) const {
+Collector::Candidate Collector::candidate(const RelativePath& path, const Rank& rank, Content content) const {
   SourceText source = readSource(std::move(content.bytes));
   content.bytes = std::move(source.text);
   if (content.refusal.empty()) content.refusal = std::move(source.refusal);
   if (content.bytes.size() > limits_.sourceBytes)
     content = Content::refused(fmt::format("is larger than {}", showBytes(limits_.sourceBytes)));
-  slot.places.push_back(path);
-  if (slot.places.size() == 1) {
-    slot.content = std::move(content);
-    slot.note = std::move(source.note);
-    return;
+  return {rank, path, std::move(content), std::move(source.note)};
+}
+
+bool Collector::isStub(const Key& key, const Content& content) const {
+  if (!content.refusal.empty() || !content.fault.empty()) return false;
+  const auto topic = stubs_.find(key.first);
+  if (topic == stubs_.end()) return false;
+  const auto file = topic->second.find(key.second);
+  return file != topic->second.end() && asWritten(file->second) == asWritten(content.bytes);
+}
+
+void Collector::add(const Key& key, Candidate found) {
+  const auto mayBeANote = [](const Candidate& one) { return std::get<0>(one.rank) == textRank; };
+  Slot& slot = slots_[key];
+  if (isStub(key, found.content)) {
+    if (!slot.stub || found.rank < slot.stub->rank) slot.stub = std::move(found);
+  } else if (slot.best && mayBeANote(found) && !mayBeANote(*slot.best)) {
+    ignore(found.path, "another one counts");
+  } else if (slot.best && !mayBeANote(found) && mayBeANote(*slot.best)) {
+    ignore(slot.best->path, "another one counts");
+    if (slot.other) ignore(slot.other->path, "another one counts");
+    slot = Slot{{}, {}, std::move(slot.stub)};
+    addToOthers(slot, std::move(found));
+  } else {
+    addToOthers(slot, std::move(found));
   }
-  if (slot.differ) return;
-  slot.differ = content.bytes != slot.content.bytes || content.refusal != slot.content.refusal;
-  slot.different = slot.places.size() - 1;
-  if (slot.content.fault.empty()) slot.content.fault = content.fault;
+}
+
+/// Only one text is kept: a submission of ten thousand copies takes no more room than one.
+void Collector::addToOthers(Slot& slot, Candidate found) {
+  ++slot.places;
+  if (slot.fault.empty() && !found.content.fault.empty())
+    slot.fault = fmt::format("{} {}", show(found.path), found.content.fault);
+  if (!slot.best) {
+    slot.best = std::move(found);
+  } else if (found.content.bytes == slot.best->content.bytes && found.content.refusal == slot.best->content.refusal) {
+    if (!slot.other && found.rank < slot.best->rank) slot.best = std::move(found);
+  } else if (!slot.other) {
+    found.content.bytes.clear();
+    slot.other = std::move(found);
+  }
 }
 
 void Collector::ignore(const RelativePath& path, const std::string& why) {
@@ -187,7 +242,6 @@ std::vector<std::string> Collector::notes(const Submission& submission) const {
   std::vector<std::string> lines;
   for (const auto& [topic, how] : submission.taken) lines.push_back(how);
   lines.insert(lines.end(), notes_.begin(), notes_.end());
-  for (const std::string& why : broken_) lines.push_back("ignored the rest of an archive inside: " + why);
   for (const auto& [place, names] : ignored_) {
     const std::string folder = place.first.empty() ? "" : fmt::format(" in {}/", place.first);
     const std::string why = place.second.empty() ? "" : fmt::format(" ({})", place.second);
@@ -221,7 +275,7 @@ std::vector<std::string> Collector::near(const std::string& topic, const std::st
     const std::string guess = nearest(plainStem(stray.back()), stems);
     if (home == topic) {
       inFolder.push_back(show(stray));
-    } else if (guess == plainStem(file)) {
+    } else if (guess == plainStem(file) || isNamedAlike(stray.back(), file)) {
       alike.push_back(show(stray));
     } else if (home.empty() && guess.empty()) {
       others.push_back(show(stray));
@@ -243,6 +297,16 @@ std::size_t Collector::unfound() const {
   return count;
 }
 
+/// Why what may be that file, or hold it, was passed over; "" when there is nothing of the kind.
+std::string Collector::whySkipped(const std::string& file) const {
+  for (const auto& [name, why] : skipped_) {
+    if (name.empty() || name == file || isNearName(name, file)) return fmt::format("no {}; {}", file, why);
+  }
+  if (seen_ == 0 && !skipped_.empty())
+    return fmt::format("no {}: all that was handed in is passed over; {}", file, skipped_.front().second);
+  return "";
+}
+
 std::string Collector::missing(const std::string& topic, const std::string& file) const {
   if (seen_ == 0) return fmt::format("no {}: the submission is empty", file);
   std::vector<std::string> names = near(topic, file);
@@ -260,37 +324,53 @@ const Collector::UnreadableFolder* Collector::mayHide(const std::string& topic, 
     const std::string home = topicOf(folder.path.back());
     if (!home.empty() && home != topic) continue;
     const Rank best{0, 0, folder.path.size() + (home == topic ? 1 : 2)};
-    if (slot == slots_.end() || best <= slot->second.rank) return &folder;
+    if (slot == slots_.end() || !slot->second.best || best <= slot->second.best->rank) return &folder;
   }
   return nullptr;
 }
 
-/// What a slot that has places comes to.
-void Collector::settle(const Key& key, const Slot& slot, Submission& submission) const {
+/// What a slot comes to.
+void Collector::settle(const Key& key, const Slot& slot, Submission& submission) {
   const auto& [topic, file] = key;
-  const bool isNear = std::get<0>(slot.rank) != 0;
-  const std::string first = show(slot.places.front());
-  const std::string other = show(slot.places[slot.different]);
-  if (!slot.content.fault.empty()) {
-    submission.faults[topic] = fmt::format("{} {}", slot.differ ? other : first, slot.content.fault);
-  } else if (slot.differ && isNear) {
-    submission.refused[topic] =
-        fmt::format("no {0}, and '{1}' and '{2}' differ: hand in one, named {0}", file, first, other);
-  } else if (slot.differ) {
-    submission.refused[topic] =
-        fmt::format("{} is there {} times, at {} and {}: hand in one", file, slot.places.size(), first, other);
-  } else if (!slot.content.refusal.empty()) {
-    submission.refused[topic] = fmt::format("{} {}", first, slot.content.refusal);
+  if (!slot.fault.empty()) {
+    submission.faults[topic] = slot.fault;
+  } else if (slot.other) {
+    submission.refused[topic] = differing(file, slot);
+  } else if (slot.best && !slot.best->content.refusal.empty()) {
+    submission.refused[topic] = fmt::format("{} {}", show(slot.best->path), slot.best->content.refusal);
   } else {
-    submission.sources[topic][file] = slot.content.bytes;
-    std::vector<std::string> said;
-    if (isNear) said.push_back(fmt::format("is taken from '{}'", first));
-    if (slot.places.size() > 1) said.push_back(fmt::format("is there {} times, all equal", slot.places.size()));
-    if (!slot.note.empty()) said.push_back(slot.note);
-    if (said.empty()) return;
-    std::string& how = submission.taken[topic];
-    how += fmt::format("{}{} {}", how.empty() ? "" : "; ", file, fmt::join(said, "; "));
+    take(key, slot, submission);
   }
+}
+
+std::string Collector::differing(const std::string& file, const Slot& slot) {
+  const auto named = [](const Candidate& one) {
+    const std::string why = one.content.refusal.empty() ? "" : fmt::format(" ({})", one.content.refusal);
+    return fmt::format("'{}'{}", show(one.path), why);
+  };
+  const bool isSwapped = slot.other->rank < slot.best->rank;
+  const Candidate& first = isSwapped ? *slot.other : *slot.best;
+  const Candidate& second = isSwapped ? *slot.best : *slot.other;
+  const std::string start = std::get<0>(first.rank) == 0 ? fmt::format("{} is there {} times", file, slot.places)
+                                                         : fmt::format("no {}", file);
+  return fmt::format("{}, and {} and {} differ: hand in one, named {}", start, named(first), named(second), file);
+}
+
+void Collector::take(const Key& key, const Slot& slot, Submission& submission) {
+  const auto& [topic, file] = key;
+  const Candidate& taken = slot.best ? *slot.best : *slot.stub;
+  submission.sources[topic][file] = taken.content.bytes;
+  const bool isBesideAStub = slot.best && slot.stub;
+  const std::string stub =
+      isBesideAStub ? fmt::format(", since '{}' is the stub as handed out", show(slot.stub->path)) : "";
+  std::vector<std::string> said;
+  if (isBesideAStub || std::get<0>(taken.rank) != 0)
+    said.push_back(fmt::format("is taken from '{}'{}", show(taken.path), stub));
+  if (slot.places > 1) said.push_back(fmt::format("is there {} times, all equal", slot.places));
+  if (!taken.note.empty()) said.push_back(taken.note);
+  if (said.empty()) return;
+  std::string& how = submission.taken[topic];
+  how += fmt::format("{}{} {}", how.empty() ? "" : "; ", file, fmt::join(said, "; "));
 }
 
 /// One exercise: its files, or why there are none.
@@ -302,6 +382,8 @@ void Collector::say(const Manifest& manifest, Submission& submission) const {
       submission.faults[topic] = fmt::format("{}/, where {} may lie, {}", show(folder->path), file, folder->why);
     } else if (slot != slots_.end()) {
       settle(slot->first, slot->second, submission);
+    } else if (const std::string why = whySkipped(file); !why.empty()) {
+      submission.refused[topic] = why;
     } else if (!submission.missing.contains(topic)) {
       submission.missing[topic] = missing(topic, file);
     }
@@ -323,7 +405,6 @@ Submission Collector::finish(std::string name) const {
   for (const Manifest& manifest : course_) {
     if (isAskedFor(manifest.topic)) say(manifest, submission);
   }
-  if (!submission.missing.empty() && !broken_.empty()) throw std::runtime_error(broken_.front());
   submission.notes = notes(submission);
   submission.hash = hashOf(submission);
   return submission;

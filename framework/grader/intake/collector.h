@@ -3,7 +3,9 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -26,18 +28,22 @@ struct Content {
   static Content unreadable(std::string why) { return {"", "", std::move(why)}; }
 };
 
-/// Chooses, among all that a submission holds, the files that count. The exact name goes before a near one, TOPIC/FILE
-/// before a flat FILE, then the shallower place. Of the same rank, equal contents count once; where they differ none
-/// counts, for nobody can tell which one was meant.
+/// Chooses, among all that a submission holds, the files that count. Every place of a wanted file is a candidate, near
+/// names too; equal ones count once, and where two differ none counts, for nobody can tell which one was meant. Two
+/// kinds count only where there is nothing else: a stub as it was handed out, and "spring_1d.txt", which may be a note.
 class Collector {
  public:
-  /// `only`: the topics asked for; all when empty. `course` must outlive this.
-  Collector(const std::vector<Manifest>& course, IntakeLimits limits, std::vector<std::string> only = {});
+  /// `only`: the topics asked for; all when empty. `stubs`: the files as handed out. `course` must outlive this.
+  Collector(const std::vector<Manifest>& course, IntakeLimits limits, std::vector<std::string> only = {},
+            SourcesByTopic stubs = {});
 
   const IntakeLimits& limits() const { return limits_; }
 
   /// A regular file; `read` is called only when its content may count.
   void file(const RelativePath& path, const std::function<Content()>& read);
+
+  /// The same for a file that may stand for another (see standIn()), as its first bytes tell.
+  void regularFile(const RelativePath& path, std::string_view head, const std::function<Content()>& read);
 
   /// Something else with a name: `why` completes "spring_1d.cpp ...": "is a symbolic link". Refused where a file is
   /// wanted, ignored elsewhere.
@@ -46,29 +52,34 @@ class Collector {
   /// A folder that this machine cannot look into: whatever it may hold is unknown. `why` as in Content::fault.
   void unreadableFolder(const RelativePath& path, const std::string& why);
 
-  /// An archive inside that could not be read to its end; `why` is a whole line. Ends the taking when a topic lacks a
-  /// file (finish() throws), since it may be in there.
-  void brokenArchive(const std::string& why);
-
   /// Anything that is ignored for a reason of its own; `what` is a printable line.
   void note(const std::string& what);
 
-  /// True for folders that never hold a hand-in: hidden ones and the Mac's resource forks.
-  static bool isSkipped(const std::string& component);
+  /// The same for what may be a wanted file, or hold one: the reason then stands with the file that is missing. `name`
+  /// is its own name; "" when it may hold anything.
+  void skipped(const std::string& name, const std::string& what);
 
-  /// Throws std::runtime_error with the reason of the first broken archive when a topic lacks a file.
+  /// True for what never is or holds a hand-in: hidden files and folders, and the Mac's resource forks.
+  static bool isHidden(const RelativePath& path);
+
   Submission finish(std::string name) const;
 
  private:
-  /// 0 the exact name, 1 a near one; 0 in its folder, 1 flat; then the depth.
+  /// 0 the exact name, 1 a near one, 2 a text that may be a note; 0 in its folder, 1 flat; then the depth.
   using Rank = std::tuple<int, int, std::size_t>;
-  struct Slot {
+  /// One place of a wanted file, read as text.
+  struct Candidate {
     Rank rank;
-    std::vector<RelativePath> places;
-    Content content;            ///< of the first place, as text
-    std::string note{};         ///< what reading it changed
-    bool differ = false;        ///< another place of the rank holds something else
-    std::size_t different = 0;  ///< the first place that does
+    RelativePath path;
+    Content content;
+    std::string note{};  ///< what reading it changed
+  };
+  struct Slot {
+    std::optional<Candidate> best;   ///< of those that equal the first one, that in the best place
+    std::optional<Candidate> other;  ///< one that differs, without its bytes
+    std::optional<Candidate> stub;   ///< one that is as it was handed out
+    std::string fault{};             ///< why this machine cannot read one of them
+    std::size_t places = 0;          ///< of them all, the stub aside
   };
   struct UnreadableFolder {
     RelativePath path;
@@ -80,15 +91,22 @@ class Collector {
   std::string topicOf(const std::string& folder) const;
   bool isAskedFor(const std::string& topic) const;
   void offer(const RelativePath& path, const std::function<Content()>& read);
-  void add(Slot& slot, const RelativePath& path, Content content) const;
+  Candidate candidate(const RelativePath& path, const Rank& rank, Content content) const;
+  void add(const Key& key, Candidate found);
+  static void addToOthers(Slot& slot, Candidate found);
+  bool isStub(const Key& key, const Content& content) const;
   void ignore(const RelativePath& path, const std::string& why);
-  /// Also counts it.
-  bool isHidden(const RelativePath& path);
+  /// isHidden(), and counts it.
+  bool passOver(const RelativePath& path);
   bool isHandedOut(const RelativePath& path) const;
+  bool mayBeMeant(const std::string& name) const;
 
-  void settle(const Key& key, const Slot& slot, Submission& submission) const;
+  static void settle(const Key& key, const Slot& slot, Submission& submission);
+  static std::string differing(const std::string& file, const Slot& slot);
+  static void take(const Key& key, const Slot& slot, Submission& submission);
   void say(const Manifest& manifest, Submission& submission) const;
   std::string missing(const std::string& topic, const std::string& file) const;
+  std::string whySkipped(const std::string& file) const;
   std::vector<std::string> near(const std::string& topic, const std::string& file) const;
   const UnreadableFolder* mayHide(const std::string& topic, const std::string& file) const;
   std::size_t unfound() const;
@@ -97,10 +115,11 @@ class Collector {
   const std::vector<Manifest>& course_;
   IntakeLimits limits_;
   std::vector<std::string> only_;
+  SourcesByTopic stubs_;
   std::map<Key, Slot> slots_;
   std::vector<RelativePath> strays_;  ///< sources that no exercise wants
   std::vector<UnreadableFolder> unreadable_;
-  std::vector<std::string> broken_;
+  std::vector<std::pair<std::string, std::string>> skipped_;  ///< name, or "" for anything, and why
   std::vector<std::string> notes_;
   /// (folder, reason) -> names ignored there
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> ignored_;

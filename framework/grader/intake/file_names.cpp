@@ -21,6 +21,7 @@ constexpr std::array<std::string_view, 13> archiveSuffixes{".tar.gz", ".tar.bz2"
 constexpr std::array<std::string_view, 5> copyWords{"copy", "copia", "kopie", "copie", "download"};
 constexpr std::string_view moodleMark = "_assignsubmission_file_";
 constexpr std::size_t digitsOfACopy = 2;
+constexpr std::string_view separators = "-_ .()[]";
 
 bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
@@ -55,22 +56,11 @@ SplitName split(std::string name) {
   return {name.substr(0, dot), name.substr(dot + 1)};
 }
 
-/// Lower case, without blanks around, Moodle's mark and a ".txt" that an editor has put behind the suffix.
-SplitName splitAsWanted(std::string_view raw) {
-  std::string name = lowerCase(trimmed(raw));
-  if (const std::size_t mark = name.find(moodleMark); mark != std::string::npos)
-    name.erase(0, mark + moodleMark.size());
-  SplitName parts = split(name);
-  if (parts.kind != "txt") return parts;
-  SplitName inner = split(std::string(trimmed(parts.stem)));
-  return inner.kind == "cpp" || inner.kind == "h" ? inner : parts;
-}
-
 /// The words between hyphens, underscores, blanks, dots and brackets.
 std::vector<std::string> wordsOf(std::string_view stem) {
   std::vector<std::string> words(1);
   for (const char c : stem) {
-    if (std::string_view("-_ .()[]").find(c) == std::string_view::npos) {
+    if (separators.find(c) == std::string_view::npos) {
       words.back() += c;
     } else if (!words.back().empty()) {
       words.emplace_back();
@@ -86,6 +76,32 @@ bool isCopyWord(const std::string& word) {
 
 bool isCopyNumber(const std::string& word) {
   return !word.empty() && word.size() <= digitsOfACopy && std::all_of(word.begin(), word.end(), isDigit);
+}
+
+/// Takes away what browsers, editors and mail put behind a suffix: "(1)", ".1", ".download", ".txt", " copy".
+bool cutTail(std::string& name) {
+  const std::size_t end = name.find_last_not_of(" )]");
+  if (end == std::string::npos) return false;
+  const std::size_t mark = name.find_last_of(separators, end);
+  if (mark == std::string::npos || mark == 0) return false;
+  const std::string word = name.substr(mark + 1, end - mark);
+  if (word != "txt" && !isCopyWord(word) && !isCopyNumber(word)) return false;
+  name.resize(mark);
+  name.erase(name.find_last_not_of(separators) + 1);
+  return !name.empty();
+}
+
+/// Lower case, without blanks around, Moodle's mark and what stands behind the suffix of a source or header.
+SplitName splitAsWanted(std::string_view raw) {
+  std::string name = lowerCase(trimmed(raw));
+  if (const std::size_t mark = name.find(moodleMark); mark != std::string::npos)
+    name.erase(0, mark + moodleMark.size());
+  std::string bare = name;
+  do {
+    SplitName parts = split(bare);
+    if (parts.kind == "cpp" || parts.kind == "h") return parts;
+  } while (cutTail(bare));
+  return split(name);
 }
 
 std::vector<std::string> withoutCopyOf(std::vector<std::string> words) {
@@ -125,6 +141,18 @@ bool isNearName(const std::string& name, const std::string& wanted) {
   return given.kind == asked.kind && areNear(given.stem, asked.stem);
 }
 
+bool isTextNamedAs(const std::string& name, const std::string& wanted) {
+  const SplitName given = splitAsWanted(name);
+  const SplitName asked = splitAsWanted(wanted);
+  return given.kind == "txt" && asked.kind == "cpp" && areNear(given.stem, asked.stem);
+}
+
+bool isNamedAlike(const std::string& name, const std::string& wanted) {
+  const std::string stem = plainStem(name);
+  const std::string asked = plainStem(wanted);
+  return stem == asked || stem == asked + "_cpp";
+}
+
 bool isNearFolderName(const std::string& name, const std::string& topic) {
   return name != topic && areNear(lowerCase(name), lowerCase(topic));
 }
@@ -138,6 +166,11 @@ std::string plainStem(const std::string& name) {
 bool isArchiveName(std::string_view name) {
   std::string lower = lowerCase(name);
   return cutSuffix(lower, archiveSuffixes);
+}
+
+std::string withoutSourceSuffix(const std::string& name) {
+  const std::string stem = splitAsWanted(name).stem;
+  return name.substr(0, lowerCase(name).find(stem) + stem.size());
 }
 
 std::string withoutArchiveSuffix(const std::string& name) {

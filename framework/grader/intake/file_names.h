@@ -7,7 +7,8 @@
 
 namespace muelle::grader {
 
-/// True for "x.cpp", "x.cc", "x.cxx", "x.c++", "x.C", "x.cpp.txt", whatever the letter case.
+/// True for "x.cpp", "x.cc", "x.cxx", "x.c++", "x.C", whatever the letter case, and with what browsers, editors and
+/// mail put behind: "x.cpp.txt", "x.cpp.txt.txt", "x.cpp (1)", "x.cpp.1", "x.cpp.download".
 bool isSourceName(std::string_view name);
 
 /// True when `name` is `wanted` as a download, a copy or another system spells it: "spring_1d (1).cpp",
@@ -15,7 +16,13 @@ bool isSourceName(std::string_view name);
 /// them behind Moodle's "Name Surname_12345_assignsubmission_file_". The wanted name itself is not near.
 bool isNearName(const std::string& name, const std::string& wanted);
 
-/// The same for a folder and the topic that it is named after: "Spring 1D", "spring_1d (2)".
+/// True for "spring_1d.txt", "spring_1d (1).txt" where "spring_1d.cpp" is wanted: the source, or a note about it.
+bool isTextNamedAs(const std::string& name, const std::string& wanted);
+
+/// True when the name without suffixes and marks of copies is the wanted one's: "spring_1d.hpp", "spring_1d.cpp.bak".
+bool isNamedAlike(const std::string& name, const std::string& wanted);
+
+/// As isNearName() for a folder and the topic that it is named after: "Spring 1D", "spring_1d (2)".
 bool isNearFolderName(const std::string& name, const std::string& topic);
 
 /// The name in lower case without its extension and without the marks of copies: "spring_1d".
@@ -23,6 +30,9 @@ std::string plainStem(const std::string& name);
 
 /// True for the suffixes of the archives that intake reads: "x.zip", "x.tar.gz", "x.7z", whatever the letter case.
 bool isArchiveName(std::string_view name);
+
+/// "ana" for "ana.cpp" and "ana.cpp.txt"; a name that isSourceName().
+std::string withoutSourceSuffix(const std::string& name);
 
 /// "hand-in" for "hand-in.tar.gz"; other names as they are.
 std::string withoutArchiveSuffix(const std::string& name);

@@ -4,6 +4,7 @@
 #include "base/text/printable.h"
 #include "grader/intake/archive.h"
 #include "grader/intake/file_names.h"
+#include "grader/intake/package.h"
 #include "grader/intake/read_file.h"
 
 #include <dirent.h>
@@ -35,6 +36,10 @@ std::string kindOf(mode_t mode) {
 }
 
 std::string cannotBeRead() { return fmt::format("cannot be read: {}", std::strerror(errno)); }
+
+std::string cannotBeRead(const std::system_error& error) {
+  return fmt::format("cannot be read: {}", error.code().message());
+}
 
 class Walk {
  public:
@@ -103,39 +108,74 @@ class Walk {
       return collector_.file(path, [] { return Content::unreadable(cannotBeRead()); });
     if (S_ISDIR(status.st_mode)) return enter(path);
     if (!S_ISREG(status.st_mode)) return collector_.notAFile(path, kindOf(status.st_mode));
-    if (isArchiveName(path.back()) && !Collector::isSkipped(path.back())) return unpack(folder, path);
-    collector_.file(path, [&] { return read(folder, path.back(), collector_.limits().sourceBytes); });
+    Content trouble;
+    const Descriptor file = openRegular(folder, path.back(), trouble);
+    const bool mayHoldAny = isArchiveName(path.back()) && !Collector::isHidden(path);
+    if (!file && mayHoldAny && !trouble.fault.empty()) return collector_.unreadableFolder(path, trouble.fault);
+    if (!file) return collector_.file(path, [&] { return trouble; });
+    const std::string head = headOf(file);
+    if (isArchive(path.back(), head) && !Collector::isHidden(path)) return unpack(file, path);
+    collector_.regularFile(path, head, [&] { return read(file); });
   }
 
-  void unpack(const Descriptor& folder, const RelativePath& path) {
-    const Content content = read(folder, path.back(), collector_.limits().archiveBytes);
-    if (!content.fault.empty()) return collector_.unreadableFolder(path, content.fault);
-    if (!content.refusal.empty()) return collector_.notAFile(path, content.refusal);
-    archives_.readInside(content.bytes, path);
+  static std::string headOf(const Descriptor& file) {
+    std::string head(headBytes, '\0');
+    const ssize_t got = ::pread(file.get(), head.data(), head.size(), 0);
+    head.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+    return head;
+  }
+
+  void unpack(const Descriptor& file, const RelativePath& path) {
+    const std::size_t limit = collector_.limits().archiveBytes;
+    try {
+      const std::optional<std::string> bytes = readAll(file.get(), limit);
+      if (!bytes) refuseLargeArchive(show(path), limit);
+      archives_.readInside(*bytes, path);
+    } catch (const std::system_error& error) {
+      collector_.unreadableFolder(path, cannotBeRead(error));
+    }
   }
 
   void enter(const RelativePath& path) {
-    if (Collector::isSkipped(path.back())) return collector_.notAFile(path, "is hidden");
-    if (path.size() > maximalDepth) return collector_.note(fmt::format("ignored {}/: too deep", show(path)));
+    if (Collector::isHidden(path)) return collector_.notAFile(path, "is hidden");
+    if (path.size() > maximalDepth)
+      return collector_.skipped("", fmt::format("ignored {}/: too deep; hand in the exercises alone", show(path)));
     pending_.push_back(path);
   }
 
-  Content read(const Descriptor& folder, const std::string& name, std::size_t limit) const {
-    // The name was a regular file a moment ago; O_NONBLOCK and the second look are for one that changed since.
-    const Descriptor file(
-        ::openat(folder.get(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  /// A hard link is a file like any other, unless somebody put another's file under this name.
+  static bool isAnothers(const Descriptor& folder, const struct stat& file) {
+    struct stat owner {};
+    return file.st_nlink > 1 && (::fstat(folder.get(), &owner) != 0 || owner.st_uid != file.st_uid);
+  }
+
+  /// Null with the trouble when it cannot be opened. The name was a regular file a moment ago; O_NONBLOCK and the
+  /// second look are for one that changed since.
+  static Descriptor openRegular(const Descriptor& folder, const std::string& name, Content& trouble) {
+    Descriptor file(::openat(folder.get(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     struct stat status {};
-    if (!file && errno == ELOOP) return Content::refused("is a symbolic link");
-    if (!file || ::fstat(file.get(), &status) != 0) return Content::unreadable(cannotBeRead());
-    if (!S_ISREG(status.st_mode)) return Content::refused(kindOf(status.st_mode));
-    if (status.st_nlink > 1)
-      return Content::refused("is a hard link (the file has another name elsewhere): hand in a copy");
+    if (!file && errno == ELOOP) {
+      trouble = Content::refused("is a symbolic link");
+    } else if (!file || ::fstat(file.get(), &status) != 0) {
+      trouble = Content::unreadable(cannotBeRead());
+    } else if (!S_ISREG(status.st_mode)) {
+      trouble = Content::refused(kindOf(status.st_mode));
+    } else if (isAnothers(folder, status)) {
+      trouble = Content::refused("is a hard link to a file of another user: hand in a copy");
+    } else {
+      return file;
+    }
+    return Descriptor();
+  }
+
+  Content read(const Descriptor& file) const {
+    const std::size_t limit = collector_.limits().sourceBytes;
     try {
       std::optional<std::string> bytes = readAll(file.get(), limit);
       if (!bytes) return Content::refused(fmt::format("is larger than {}", showBytes(limit)));
       return {std::move(*bytes)};
     } catch (const std::system_error& error) {
-      return Content::unreadable(fmt::format("cannot be read: {}", error.code().message()));
+      return Content::unreadable(cannotBeRead(error));
     }
   }
 

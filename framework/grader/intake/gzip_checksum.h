@@ -4,8 +4,9 @@
 
 namespace muelle::grader {
 
-/// libarchive unpacks gzip without comparing its checksum. Why a gzip file is broken ("its checksum is wrong"), or "".
-/// Unpacks once more, at most `limit` bytes; what is longer, or has several members, passes.
+/// libarchive unpacks gzip without comparing checksum and size. Why a gzip file is broken ("its checksum is wrong"), or
+/// "". Every member is looked at; zeros may follow the last one, nothing else. Unpacks once more, at most `limit`
+/// bytes: what is longer is refused. `bytes` is less than 4 GiB.
 std::string gzipFault(const std::string& bytes, std::size_t limit);
 
 }  // namespace muelle::grader

@@ -6,6 +6,7 @@
 #include "grader/intake/collector.h"
 #include "grader/intake/file_names.h"
 #include "grader/intake/folder.h"
+#include "grader/intake/package.h"
 #include "grader/intake/read_file.h"
 
 #include <fcntl.h>
@@ -29,46 +30,69 @@ std::string nameOf(const std::filesystem::path& path) {
   return cut(printableLine(whole.filename().string()), nameBytes);
 }
 
-/// An archive, or a source alone when its name says so and its content nothing else.
-void readFileOf(const Descriptor& file, const std::filesystem::path& path, const std::string& name,
-                Collector& collector) {
-  const std::size_t limit = collector.limits().archiveBytes;
-  std::optional<std::string> bytes = readAll(file.get(), limit);
-  const std::string fileName = path.filename().string();
-  if (isSourceName(fileName) && !(bytes && beginsAsArchive(*bytes))) {
-    const std::size_t sourceLimit = collector.limits().sourceBytes;
-    const bool isTooLarge = !bytes || bytes->size() > sourceLimit;
-    return collector.file({fileName}, [&]() -> Content {
-      if (isTooLarge) return Content::refused(fmt::format("is larger than {}", showBytes(sourceLimit)));
-      return {std::move(*bytes)};
-    });
+/// Puts a hand-in's parts before the collector.
+class Parts {
+ public:
+  Parts(Collector& collector, bool areSeveral)
+      : collector_(collector), archives_(collector), limit_(collector.limits().archiveBytes), areSeveral_(areSeveral) {}
+
+  void read(const std::filesystem::path& path) {
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+    struct stat status {};
+    if (!file || ::fstat(file.get(), &status) != 0)
+      throw std::runtime_error(fmt::format("cannot read the submission {}: {}; give a folder or an archive",
+                                           printableLine(path.string()), std::strerror(errno)));
+    if (S_ISDIR(status.st_mode)) return readFolder(path, collector_);
+    if (!S_ISREG(status.st_mode))
+      throw std::runtime_error(fmt::format("{} is neither a folder nor an archive", printableLine(path.string())));
+    readFile(path, readAll(file.get(), limit_));
   }
-  if (!bytes)
-    throw std::runtime_error(
-        fmt::format("the archive {} is larger than {}: hand in the sources alone", name, showBytes(limit)));
-  ArchiveReader(collector).read(*bytes, name);
-}
+
+ private:
+  /// An archive, or a source alone when its name says so and its content nothing else.
+  void readFile(const std::filesystem::path& path, const std::optional<std::string>& bytes) {
+    const std::string fileName = path.filename().string();
+    const std::string name = nameOf(path);
+    const std::string head = bytes ? bytes->substr(0, headBytes) : "";
+    const bool isSource = isSourceName(fileName) && !beginsAsArchive(head);
+    if (isSource || (areSeveral_ && !isArchive(fileName, head)))
+      return collector_.regularFile({fileName}, head, [&] { return contentOf(bytes); });
+    if (!bytes) refuseLargeArchive(name, limit_);
+    // Among several, the archive's own name tells its files from another's.
+    if (areSeveral_) return archives_.readInside(*bytes, {fileName});
+    if (const std::optional<StandIn> other = standIn(fileName, head))
+      throw std::runtime_error(fmt::format("cannot read the archive {}: {}", name, other->why));
+    archives_.read(*bytes, name);
+  }
+
+  Content contentOf(const std::optional<std::string>& bytes) const {
+    const std::size_t limit = collector_.limits().sourceBytes;
+    if (!bytes || bytes->size() > limit) return Content::refused(fmt::format("is larger than {}", showBytes(limit)));
+    return {*bytes};
+  }
+
+  Collector& collector_;
+  ArchiveReader archives_;
+  std::size_t limit_;
+  bool areSeveral_;
+};
 
 }  // namespace
 
 Submission takeSubmission(const std::filesystem::path& path, const std::vector<Manifest>& course,
-                          const IntakeLimits& limits, const std::vector<std::string>& only) {
-  const std::string name = nameOf(path);
-  Collector collector(course, limits, only);
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
-  struct stat status {};
-  if (!file || ::fstat(file.get(), &status) != 0)
-    throw std::runtime_error(fmt::format("cannot read the submission {}: {}; give a folder or an archive",
-                                         printableLine(path.string()), std::strerror(errno)));
-  if (S_ISDIR(status.st_mode)) {
-    readFolder(path, collector);
-  } else if (S_ISREG(status.st_mode)) {
-    readFileOf(file, path, name, collector);
-  } else {
-    throw std::runtime_error(fmt::format("{} is neither a folder nor an archive", printableLine(path.string())));
-  }
-  Submission submission = collector.finish(name);
-  submission.path = std::filesystem::absolute(path);
+                          const IntakeLimits& limits, const std::vector<std::string>& only,
+                          const SourcesByTopic& stubs) {
+  return takeSubmission(std::vector{path}, course, limits, only, stubs);
+}
+
+Submission takeSubmission(const std::vector<std::filesystem::path>& parts, const std::vector<Manifest>& course,
+                          const IntakeLimits& limits, const std::vector<std::string>& only,
+                          const SourcesByTopic& stubs) {
+  Collector collector(course, limits, only, stubs);
+  Parts reading(collector, parts.size() > 1);
+  for (const std::filesystem::path& part : parts) reading.read(part);
+  Submission submission = collector.finish(nameOf(parts.front()));
+  submission.path = std::filesystem::absolute(parts.front());
   return submission;
 }
 

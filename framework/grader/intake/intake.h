@@ -16,14 +16,16 @@ struct IntakeLimits {
   std::size_t notes = 20;                       ///< notes kept; the rest are counted
 };
 
+/// topic -> file name ("spring_1d.cpp") -> content
+using SourcesByTopic = std::map<std::string, std::map<std::string, std::string>>;
+
 /// The files of one submission that count, as text in memory: nothing of it is written to disk here. A topic stands in
 /// `sources` when something of it counts, and otherwise in one of `faults`, `refused` and `missing`; all that is said
 /// is one printable line.
 struct Submission {
   std::filesystem::path path;  ///< absolute
   std::string name;
-  /// topic -> file name ("spring_1d.cpp") -> content, UTF-8 or as handed in
-  std::map<std::string, std::map<std::string, std::string>> sources;
+  SourcesByTopic sources;  ///< UTF-8 or as handed in
   /// topic -> how its files were taken, where that is not as asked for: "spring_1d.cpp is taken from 'spring_1d
   /// (1).cpp'"
   std::map<std::string, std::string> taken;
@@ -46,10 +48,18 @@ struct Submission {
 ///
 /// `only`, unless it is empty, are the topics that are asked for: the others are recognised, and nothing is said of
 /// them. It reads everything once; what is saved there afterwards changes nothing.
+/// `stubs`: the files as they are handed out; one that is still so counts only where there is no other.
 ///
 /// Throws std::runtime_error (what, where, what to do) when `path` is none of these or cannot be read, or an archive is
 /// broken, encrypted or too large.
 Submission takeSubmission(const std::filesystem::path& path, const std::vector<Manifest>& course,
-                          const IntakeLimits& limits = {}, const std::vector<std::string>& only = {});
+                          const IntakeLimits& limits = {}, const std::vector<std::string>& only = {},
+                          const SourcesByTopic& stubs = {});
+
+/// The same for a hand-in of several files or folders side by side, as Moodle gives them. What is neither a source nor
+/// an archive is ignored among several. Takes its name and path from the first.
+Submission takeSubmission(const std::vector<std::filesystem::path>& parts, const std::vector<Manifest>& course,
+                          const IntakeLimits& limits = {}, const std::vector<std::string>& only = {},
+                          const SourcesByTopic& stubs = {});
 
 }  // namespace muelle::grader

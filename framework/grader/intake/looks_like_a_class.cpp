@@ -1,10 +1,12 @@
 #include "grader/intake/looks_like_a_class.h"
 
 #include "base/text/printable.h"
+#include "grader/intake/class_folder.h"
 #include "grader/intake/file_names.h"
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <set>
 #include <system_error>
@@ -65,28 +67,50 @@ bool isCourseFolder(const std::string& name) {
 /// What tells a class from a hand-in, counted over the children.
 struct Signs {
   bool isAHandIn = false;
-  int archives = 0;
-  int named = 0;                      ///< folders with a name that a server gives
-  std::map<std::string, int> topics;  ///< topic -> folders that hold something for it
+  std::set<std::string> archives;       ///< by student, where the server's name tells one
+  std::set<std::string> named;          ///< students of whom the server's names tell
+  std::map<std::string, int> numbered;  ///< topic -> children named after it with a number behind: "contact-3"
+  std::map<std::string, int> topics;    ///< topic -> folders that hold something for it
+
+  int copies() const {
+    int most = 0;
+    for (const auto& [topic, count] : numbered) most = std::max(most, count);
+    return most;
+  }
 };
+
+/// "contact-3": an exercise's folder that was made twice, or the third student's of a class.
+bool isNumbered(const std::string& name) {
+  return std::isdigit(static_cast<unsigned char>(name.back())) != 0 && name.find('(') == std::string::npos;
+}
+
+/// Whether a child's name is that of a part of a hand-in.
+void lookAtName(const std::string& name, bool isFolder, const std::vector<Manifest>& course, Signs& signs) {
+  std::set<std::string> own;
+  addTopicsOf(name, isFolder, course, own);
+  const std::string bare = isArchiveName(name) ? withoutArchiveSuffix(name) : name;
+  if (isArchiveName(name)) addTopicsOf(bare, true, course, own);
+  const bool isExact = std::any_of(own.begin(), own.end(), [&](const std::string& topic) { return topic == bare; });
+  if (isExact || !isNumbered(bare)) {
+    signs.isAHandIn |= !own.empty();
+  } else {
+    for (const std::string& topic : own) ++signs.numbered[topic];
+  }
+}
 
 void look(const fs::directory_entry& child, const std::vector<Manifest>& course, Signs& signs) {
   const std::string name = child.path().filename().string();
   std::error_code unknown;
   if (name.starts_with('.') || name == "__MACOSX") return;
   const bool isFolder = child.is_directory(unknown);
-  if (!isServersName(name)) {
-    std::set<std::string> own;
-    addTopicsOf(name, isFolder, course, own);
-    if (isArchiveName(name)) addTopicsOf(withoutArchiveSuffix(name), true, course, own);
-    signs.isAHandIn |= !own.empty();
+  const bool isNamed = isServersName(name);
+  if (!isNamed) lookAtName(name, isFolder, course, signs);
+  if (!isFolder && isArchiveName(name)) {
+    signs.archives.insert(studentOf(name));
+  } else if (isNamed) {
+    signs.named.insert(studentOf(name));
   }
-  if (!isFolder) {
-    if (isArchiveName(name)) ++signs.archives;
-    if (!isArchiveName(name) && isServersName(name)) ++signs.named;
-    return;
-  }
-  if (isServersName(name)) ++signs.named;
+  if (!isFolder) return;
   const std::set<std::string> topics = topicsInside(child.path(), course);
   signs.isAHandIn |= isCourseFolder(name) && !topics.empty();
   for (const std::string& topic : topics) ++signs.topics[topic];
@@ -100,12 +124,14 @@ std::optional<std::string> looksLikeAClass(const std::filesystem::path& path, co
   if (!fs::is_directory(path, error)) return std::nullopt;
   for (fs::directory_iterator child(path, error), end; !error && child != end; child.increment(error))
     look(*child, course, signs);
-  if (error || signs.isAHandIn) return std::nullopt;
-  int folders = signs.named;
+  const int copies = signs.copies();
+  if (error || signs.isAHandIn || copies == 1) return std::nullopt;
+  auto folders = static_cast<int>(signs.named.size());
   for (const auto& [topic, count] : signs.topics) folders = std::max(folders, count);
-  if (signs.archives < 2 && folders < 2) return std::nullopt;
+  const auto archives = static_cast<int>(signs.archives.size());
+  if (archives < 2 && folders < 2) return std::nullopt;
   const std::string what =
-      signs.archives >= folders ? fmt::format("{} archives", signs.archives) : fmt::format("{} hand-ins", folders);
+      archives >= folders ? fmt::format("{} archives", archives) : fmt::format("{} hand-ins", folders);
   return fmt::format("holds {}; to grade each as a submission: ./muelle grade --class {}", what,
                      cut(printableLine(path.string()), 200));
 }

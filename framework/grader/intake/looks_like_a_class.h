@@ -11,7 +11,9 @@ namespace muelle::grader {
 /// Why a folder given as one submission is rather a class, with what to do instead ("holds 28 archives; to grade each
 /// as a submission: ./muelle grade --class FOLDER"); nullopt when it is a submission or no folder. A class holds no
 /// hand-in itself (no file to hand in, no exercise's folder, no exercises/ or solutions/), and two children or more
-/// that are archives, that Moodle or Gradescope has named, or that hold files for one and the same exercise.
+/// that are archives, that Moodle or Gradescope has named, or that hold files for one and the same exercise. Several
+/// children named after one exercise with numbers (contact-1, contact-2) are students, one alone is a part of a
+/// hand-in.
 std::optional<std::string> looksLikeAClass(const std::filesystem::path& path, const std::vector<Manifest>& course);
 
 }  // namespace muelle::grader

@@ -1,5 +1,6 @@
 #include "grader/run/grade.h"
 
+#include "base/file.h"
 #include "course/unfinished.h"
 #include "grader/run/exercise_run.h"
 
@@ -29,6 +30,19 @@ struct Unfinished {
     done(std::move(graded));
   }
 };
+
+/// The files to hand in as they are handed out.
+SourcesByTopic readStubs(const Workplace& workplace, const std::vector<Manifest>& course) {
+  SourcesByTopic stubs;
+  for (const Manifest& manifest : course) {
+    for (const std::string& name : manifest.files) {
+      const std::filesystem::path file = workplace.exercises() / manifest.topic / name;
+      std::error_code unknown;
+      if (std::filesystem::is_regular_file(file, unknown)) stubs[manifest.topic][name] = readFile(file);
+    }
+  }
+  return stubs;
+}
 
 /// Sources of one exercise, or null when they are missing or refused.
 const Sources* sourcesOf(const Submission& submission, const Manifest& manifest) {
@@ -65,6 +79,7 @@ Grader::Grader(Workplace workplace, std::vector<Manifest> course, GradeOptions o
     : workplace_(std::move(workplace)),
       course_(std::move(course)),
       wholeCourse_(wholeCourse.empty() ? course_ : std::move(wholeCourse)),
+      stubs_(readStubs(workplace_, wholeCourse_)),
       options_(std::move(options)),
       sandbox_(std::move(sandbox)),
       objects_(workplace_.objects()),
@@ -78,12 +93,14 @@ void Grader::count(std::atomic<int>& counter, int by) {
   if (listener_) listener_();
 }
 
-Submission Grader::take(const std::filesystem::path& path) const {
+Submission Grader::take(const std::filesystem::path& path) const { return take(std::vector{path}); }
+
+Submission Grader::take(const std::vector<std::filesystem::path>& parts) const {
   std::vector<std::string> only;
   if (course_.size() < wholeCourse_.size()) {
     for (const Manifest& manifest : course_) only.push_back(manifest.topic);
   }
-  return takeSubmission(path, wholeCourse_, {}, only);
+  return takeSubmission(parts, wholeCourse_, {}, only, stubs_);
 }
 
 void Grader::add(Pool& pool, const Submission& submission, std::function<void(GradedSubmission)> done) {

@@ -31,6 +31,7 @@ class Grader {
 
   /// Reads a hand-in, once: what is saved there afterwards changes nothing. Throws as takeSubmission() does.
   Submission take(const std::filesystem::path& path) const;
+  Submission take(const std::vector<std::filesystem::path>& parts) const;
 
   /// Adds the grading of a submission to the pool. `done` is called once, in a task of the pool, with the result.
   void add(Pool& pool, const Submission& submission, std::function<void(GradedSubmission)> done);
@@ -59,6 +60,7 @@ class Grader {
   Workplace workplace_;
   std::vector<Manifest> course_;
   std::vector<Manifest> wholeCourse_;
+  SourcesByTopic stubs_;
   GradeOptions options_;
   std::unique_ptr<Sandbox> sandbox_;
   Store objects_;

@@ -52,12 +52,21 @@ TEST_F(HostileIntake, FolderThatIsALink) {
   expectNothingFor(folder_.path());
 }
 
+/// A student links what the instructor alone may read.
 TEST_F(HostileIntake, HardLinkToTheSolution) {
   std::error_code error;
-  const fs::path copy = folder_.write("elsewhere/copy.cpp", readFile(solution_));
-  fs::create_hard_link(copy, source(), error);
+  const TemporaryFolder instructors;
+  fs::create_hard_link(instructors.write("copy.cpp", readFile(solution_)), source(), error);
   if (error) GTEST_SKIP() << "the file system makes no hard links";
+  if (::chown(folder_.path().c_str(), 65534, 65534) != 0) GTEST_SKIP() << "only root gives a folder to a student";
   expectNothingFor(folder_.path());
+}
+
+/// The archive names a file of this machine as the source's other name.
+TEST_F(HostileIntake, HardLinkOutOfAnArchive) {
+  const fs::path archive = folder_.path() / "hand-in.tar";
+  writeArchive(archive, Format::Tar, {{file_, "", S_IFREG, "", solution_}});
+  expectNothingFor(archive);
 }
 
 TEST_F(HostileIntake, FifoThatNobodyFills) {

@@ -47,8 +47,29 @@ class Broken : public ::testing::Test {
 using BrokenArchive = Broken;
 using InnerArchive = Broken;
 
+/// A gzip file with no bytes in it: one more member.
+const std::string gzipOfNothing("\x1f\x8b\x08\0\0\0\0\0\0\x03\x03\0\0\0\0\0\0\0\0\0", 20);
+
 const std::vector<ArchiveEntry> handIn{{"notes", "nobody wants this: a text of some length"},
                                        {"spring_1d.cpp", "double f() { return 1.0; }\n"}};
+class BrokenGzip : public Broken {
+ protected:
+  void expectTaken(const std::string& bytes) const {
+    EXPECT_TRUE(take(folder_.write("hand-in", bytes)).sources.contains("spring_1d"));
+  }
+  void expectBrokenBytes(const std::string& bytes, const std::string& why) const {
+    expectBroken(folder_.write("hand-in", bytes), why);
+  }
+  /// With another bit so many bytes before the end: 8 to 5 are of the checksum, 4 to 1 of the size.
+  std::string damaged(std::size_t beforeEnd) const {
+    std::string bytes = gzip_;
+    bytes[bytes.size() - beforeEnd] = static_cast<char>(bytes[bytes.size() - beforeEnd] ^ 1);
+    return bytes;
+  }
+
+  std::string gzip_ = packed(handIn, Format::TarGzip);
+};
+
 const std::string endOfCentralDirectoryEntry = "PK\x01\x02";
 constexpr std::size_t crcInCentralDirectory = 16;
 constexpr std::size_t sizeInCentralDirectory = 24;
@@ -88,9 +109,28 @@ TEST_F(BrokenArchive, AWrongChecksumOfGzipIsFound) {
   expectBroken(file, "its checksum is wrong");
 }
 
-TEST_F(BrokenArchive, AWholeGzipPasses) {
-  EXPECT_TRUE(take(make(handIn, Format::TarGzip)).sources.contains("spring_1d"));
+TEST_F(BrokenGzip, AWholeOnePasses) { expectTaken(gzip_); }
+
+TEST_F(BrokenGzip, ZerosMayFollow) { expectTaken(gzip_ + std::string(512, '\0')); }
+
+TEST_F(BrokenGzip, SeveralMembersAreOneStream) { expectTaken(gzip_ + gzipOfNothing); }
+
+TEST_F(BrokenGzip, AWrongSizeIsFound) { expectBrokenBytes(damaged(1), "its size is wrong"); }
+
+TEST_F(BrokenGzip, AWrongChecksumIsFoundWhateverFollows) {
+  expectBrokenBytes(damaged(6) + std::string(3, '\0'), "its checksum is wrong");
+  expectBrokenBytes(damaged(6) + gzipOfNothing, "its checksum is wrong");
 }
+
+TEST_F(BrokenGzip, OfALaterMemberIsFound) {
+  std::string later = gzipOfNothing;
+  later[later.size() - 6] = 1;
+  expectBrokenBytes(gzip_ + later, "its checksum is wrong");
+}
+
+TEST_F(BrokenGzip, NothingElseMayFollow) { expectBrokenBytes(gzip_ + "rest", "something else follows its end"); }
+
+TEST_F(BrokenGzip, ThatEndsEarlyIsFound) { expectBrokenBytes(gzip_.substr(0, gzip_.size() - 4), "it ends too early"); }
 
 TEST_F(BrokenArchive, AnEmptyOneIsSaidInEveryExercise) {
   for (const Format format : {Format::Zip, Format::Tar, Format::TarGzip}) {
@@ -121,6 +161,10 @@ TEST_F(InnerArchive, ADeeperOneIsSaidAndIgnored) {
   const Submission s = take(make({{"b.zip", inner}}, Format::Zip));
   EXPECT_TRUE(s.sources.empty());
   EXPECT_TRUE(isNoted(s, "ignored b.zip/c.zip: an archive in an archive is opened, a deeper one is not"));
+  EXPECT_EQ(
+      s.refused.at("triangle"),
+      "no triangle.cpp; ignored b.zip/c.zip: an archive in an archive is opened, a deeper one is not; hand in the "
+      "folder");
 }
 
 TEST_F(InnerArchive, SharesTheLimits) {
@@ -139,16 +183,41 @@ TEST_F(InnerArchive, SharesTheLimits) {
   EXPECT_TRUE(isNoted(s, "only the first 60 entries were looked at"));
 }
 
-TEST_F(InnerArchive, ABrokenOneEndsItWhenAFileIsMissing) {
-  const auto file = make({{"rest.zip", "no archive"}, {"spring_1d.cpp", "one"}}, Format::Zip);
-  EXPECT_NE(refusal(file).find("cannot read the archive rest.zip"), std::string::npos);
+/// One rule, whatever else is there: who marks by hand what was left of a hand-in cannot know what it lacks.
+TEST_F(InnerArchive, ABrokenOneIsBrokenWhateverElseIsThere) {
+  for (const char* text : {"no archive", "PK\x03\x04 cut"}) {
+    std::vector<ArchiveEntry> entries{{"rest.zip", text}, {"spring_1d.cpp", "one"}};
+    for (const bool isComplete : {false, true}) {
+      if (isComplete) entries.push_back({"triangle.cpp", "two"});
+      EXPECT_NE(refusal(make(entries, Format::Zip)).find("cannot read the archive rest.zip"), std::string::npos);
+    }
+  }
 }
 
-TEST_F(InnerArchive, ABrokenOneIsIgnoredWhenNothingIsMissing) {
-  const auto file = make({{"rest.zip", "no archive"}, {"spring_1d.cpp", "one"}, {"triangle.cpp", "two"}}, Format::Zip);
-  const Submission s = take(file);
-  EXPECT_EQ(s.sources.size(), 2u);
-  EXPECT_TRUE(isNoted(s, "ignored the rest of an archive inside: cannot read the archive rest.zip"));
+TEST_F(InnerArchive, ADamagedSourceInItIsRefusedInAFolderToo) {
+  const auto file = folder_.path() / "ana" / "hand-in.zip";
+  folder_.write("ana/triangle.cpp", "two");
+  for (const char* name : {"spring_1d.cpp", "notes"}) {
+    writeArchive(file, Format::Zip, {{name, "double f() { return 1.0; }\n"}});
+    damage(file, endOfCentralDirectoryEntry, crcInCentralDirectory);
+    EXPECT_NE(refusal(file.parent_path()).find("cannot read the archive hand-in.zip"), std::string::npos) << name;
+    const std::string inner = readFile(file);
+    EXPECT_NE(refusal(make({{"a/b.zip", inner}}, Format::Zip)).find("cannot read the archive a/b.zip"),
+              std::string::npos);
+  }
+}
+
+TEST_F(InnerArchive, ABombInItIsRefused) {
+  folder_.write("ana/triangle.cpp", "two");
+  writeArchive(folder_.path() / "ana" / "work.zip", Format::Zip, {{"spring_1d.cpp", std::string(40'000'000, ' ')}});
+  EXPECT_NE(refusal(folder_.path() / "ana").find("the archive work.zip unpacks to more than 32 MiB"),
+            std::string::npos);
+}
+
+TEST_F(InnerArchive, OfAHiddenFolderIsNobodys) {
+  const Submission s =
+      take(make({{".git/x.zip", "no archive"}, {"__MACOSX/y.zip", "fork"}, {"spring_1d.cpp", "one"}}, Format::Zip));
+  EXPECT_TRUE(s.sources.contains("spring_1d"));
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST_F(ClassListing, TakesEveryChildOnceInOrder) {
   folder_.write("eva.cpp", "");
   folder_.write("old.rar", "");
   EXPECT_EQ(students(), (std::vector<std::string>{"Ana García (12345)", "eva", "luis", "old.rar", "zoe"}));
-  EXPECT_EQ(listClass(folder_.path()).entries[4].path, folder_.path() / "zoe");
+  EXPECT_EQ(listClass(folder_.path()).entries[4].parts.front(), folder_.path() / "zoe");
 }
 
 TEST_F(ClassListing, NotesWhatIsNoSubmission) {
@@ -56,15 +56,53 @@ TEST_F(ClassListing, NotesWhatIsNoSubmission) {
   folder_.write("list.XLSX", "");
   folder_.write("assignment.pdf", "");
   folder_.write(".DS_Store", "");
+  folder_.write("._Ana", "fork");
+  folder_.write(".bo/spring_1d.cpp", "one");
   folder_.write("Ana_7_assignsubmission_onlinetext_/onlinetext.html", "");
   folder_.write("Ana_7_assignsubmission_file_report.pdf", "");
   std::filesystem::create_symlink("/etc", folder_.path() / "link");
   const ClassFolder listing = listClass(folder_.path());
   EXPECT_EQ(students(), std::vector<std::string>{"Ana (7)"});
-  EXPECT_EQ(listing.notes, (std::vector<std::string>{
-                               "Ana_7_assignsubmission_onlinetext_ is not graded: a text typed online",
-                               "assignment.pdf is not graded: no submission", "grades.csv is not graded: no submission",
-                               "link is not graded: a symbolic link", "list.XLSX is not graded: no submission"}));
+  EXPECT_EQ(listing.notes,
+            (std::vector<std::string>{
+                ".bo is not graded: hidden", "Ana_7_assignsubmission_onlinetext_ is not graded: a text typed online",
+                "assignment.pdf is not graded: no submission", "grades.csv is not graded: no submission",
+                "link is not graded: a symbolic link", "list.XLSX is not graded: no submission"}));
+}
+
+TEST_F(ClassListing, NotesStrayTextsAndPictures) {
+  folder_.write("ana/spring_1d.cpp", "");
+  folder_.write("README", "what this folder is");
+  folder_.write("Makefile", "all:");
+  folder_.write("foto.png", "\x89PNG");
+  EXPECT_EQ(students(), std::vector<std::string>{"ana"});
+  EXPECT_EQ(listClass(folder_.path()).notes,
+            (std::vector<std::string>{"Makefile is not graded: no submission", "README is not graded: no submission",
+                                      "foto.png is not graded: no submission"}));
+}
+
+TEST_F(ClassListing, ABrokenArchiveOfAStrangeNameIsASubmission) {
+  folder_.write("ana", std::string("PK\x03\x04 cut"));
+  folder_.write("bo.zip (1)", std::string("cut\0\x01", 5));
+  folder_.write("cy", "Rar!\x1a\x07");
+  folder_.write(".di.zip.icloud", "bplist00");
+  EXPECT_EQ(students(), (std::vector<std::string>{".di.zip.icloud", "ana", "bo.zip (1)", "cy"}));
+  EXPECT_NE(refusal(folder_.path() / ".di.zip.icloud").find("a placeholder"), std::string::npos);
+  EXPECT_NE(refusal(folder_.path() / "cy").find("an archive of the kind RAR is not opened"), std::string::npos);
+}
+
+TEST_F(ClassListing, JoinsWhatMoodleGivesSideBySide) {
+  folder_.write("Ana Ruiz_101_assignsubmission_file_spring_1d.cpp", "one");
+  writeArchive(folder_.path() / "Ana Ruiz_101_assignsubmission_file_work.zip", Format::Zip, {{"triangle.cpp", "two"}});
+  folder_.write("Ana Ruiz_101_assignsubmission_file_report.pdf", "%PDF");
+  folder_.write("Ana Ruiz_102_assignsubmission_file_spring_1d.cpp", "another Ana's");
+  ASSERT_EQ(students(), (std::vector<std::string>{"Ana Ruiz (101)", "Ana Ruiz (102)"}));
+  const std::vector<ClassEntry> entries = listClass(folder_.path()).entries;
+  const Submission s = takeSubmission(entries[0].parts, smallCourse());
+  EXPECT_EQ(s.sources.at("spring_1d").at("spring_1d.cpp"), "one");
+  EXPECT_EQ(s.sources.at("triangle").at("triangle.cpp"), "two");
+  EXPECT_TRUE(isNoted(s, "report.pdf"));
+  EXPECT_EQ(entries[1].parts.size(), 1u);
 }
 
 TEST_F(ClassListing, KeepsNamesakesApart) {
@@ -109,6 +147,28 @@ TEST_F(ClassHint, IsGivenForMoodlesFlatFiles) {
   folder_.write("Ana_7_assignsubmission_file_spring_1d.cpp", "");
   folder_.write("Luis_8_assignsubmission_file_spring_1d.cpp", "");
   EXPECT_EQ(whyAClass(), hint("2 hand-ins"));
+}
+
+TEST_F(ClassHint, IsNotGivenForOneStudentsFlatFiles) {
+  folder_.write("Ana_7_assignsubmission_file_spring_1d.cpp", "");
+  folder_.write("Ana_7_assignsubmission_file_triangle.cpp", "");
+  EXPECT_EQ(whyAClass(), "");
+}
+
+TEST_F(ClassHint, IsGivenForNumbersBehindAnExercisesName) {
+  for (int i = 1; i <= 3; ++i) folder_.write(fmt::format("triangle-{}/triangle.cpp", i), fmt::format("{}", i));
+  EXPECT_EQ(whyAClass(), hint("3 hand-ins"));
+}
+
+TEST_F(ClassHint, IsGivenForNumberedArchives) {
+  for (int i = 1; i <= 3; ++i) folder_.write(fmt::format("triangle-{}.zip", i), "");
+  EXPECT_EQ(whyAClass(), hint("3 archives"));
+}
+
+TEST_F(ClassHint, IsNotGivenForCopiesOfAnExercisesFolder) {
+  folder_.write("spring_1d (1)/spring_1d.cpp", "one");
+  folder_.write("spring_1d (2)/spring_1d.cpp", "one");
+  EXPECT_EQ(whyAClass(), "");
 }
 
 TEST_F(ClassHint, IsNotGivenForOneHandIn) {

@@ -54,18 +54,20 @@ TEST_F(FolderLayout, LooksIntoEnclosingFolders) {
   EXPECT_EQ(s.sources.at("triangle").at("triangle.cpp"), "two");
 }
 
-TEST_F(FolderLayout, PrefersItsOwnFolderToAFlatFile) {
-  folder_.write("spring_1d.cpp", "flat");
+/// The sentence: two candidates that differ, neither counts, both are named.
+TEST_F(FolderLayout, RefusesTwoThatDifferWhereverTheyLie) {
   folder_.write("deep/deeper/spring_1d/spring_1d.cpp", "placed");
+  folder_.write("spring_1d.cpp", "flat");
+  folder_.write("triangle/triangle.cpp", "shallow");
+  folder_.write("old/copy/triangle/triangle.cpp", "deep");
   const Submission s = take();
-  EXPECT_EQ(s.sources.at("spring_1d").at("spring_1d.cpp"), "placed");
-  EXPECT_TRUE(isNoted(s, "another one counts"));
-}
-
-TEST_F(FolderLayout, PrefersTheShallowerPlace) {
-  folder_.write("old/copy/spring_1d/spring_1d.cpp", "deep");
-  folder_.write("spring_1d/spring_1d.cpp", "shallow");
-  EXPECT_EQ(take().sources.at("spring_1d").at("spring_1d.cpp"), "shallow");
+  EXPECT_TRUE(s.sources.empty());
+  EXPECT_EQ(
+      s.refused.at("spring_1d"),
+      "spring_1d.cpp is there 2 times, and 'deep/deeper/spring_1d/spring_1d.cpp' and 'spring_1d.cpp' differ: hand "
+      "in one, named spring_1d.cpp");
+  EXPECT_NE(s.refused.at("triangle").find("'triangle/triangle.cpp' and 'old/copy/triangle/triangle.cpp' differ"),
+            std::string::npos);
 }
 
 TEST_F(FolderLayout, RefusesTwoOfTheSameRank) {
@@ -74,7 +76,8 @@ TEST_F(FolderLayout, RefusesTwoOfTheSameRank) {
   const Submission s = take();
   EXPECT_FALSE(s.sources.contains("spring_1d"));
   EXPECT_EQ(s.refused.at("spring_1d"),
-            "spring_1d.cpp is there 2 times, at a/spring_1d/spring_1d.cpp and b/spring_1d/spring_1d.cpp: hand in one");
+            "spring_1d.cpp is there 2 times, and 'a/spring_1d/spring_1d.cpp' and 'b/spring_1d/spring_1d.cpp' differ: "
+            "hand in one, named spring_1d.cpp");
 }
 
 TEST_F(FolderLayout, DoesNotTakeAFileFromAnotherExercisesFolder) {
@@ -136,7 +139,9 @@ TEST_F(FolderLinks, RefusesASymbolicLinkInPlaceOfTheFile) {
 TEST_F(FolderLinks, ALinkInPlaceIsNotReplacedByADeeperFile) {
   std::filesystem::create_symlink("/etc/passwd", at("spring_1d.cpp"));
   folder_.write("deeper/spring_1d.cpp", "one");
-  EXPECT_TRUE(take().refused.contains("spring_1d"));
+  EXPECT_EQ(take().refused.at("spring_1d"),
+            "spring_1d.cpp is there 2 times, and 'spring_1d.cpp' (is a symbolic link) and 'deeper/spring_1d.cpp' "
+            "differ: hand in one, named spring_1d.cpp");
 }
 
 TEST_F(FolderLinks, DoesNotFollowALinkToAFolder) {
@@ -149,13 +154,21 @@ TEST_F(FolderLinks, DoesNotFollowALinkToAFolder) {
   EXPECT_TRUE(isNoted(s, "spring_1d (is a symbolic link)") || isNoted(s, "loop, spring_1d (is a symbolic link)"));
 }
 
-TEST_F(FolderLinks, RefusesAHardLink) {
+TEST_F(FolderLinks, AHardLinkIsAFileLikeAnyOther) {
   const TemporaryFolder outside;
-  const auto secret = outside.write("secret", "secret");
-  std::filesystem::create_hard_link(secret, at("spring_1d.cpp"));
+  std::filesystem::create_hard_link(outside.write("backup.cpp", "one"), at("spring_1d.cpp"));
+  EXPECT_EQ(take().sources.at("spring_1d").at("spring_1d.cpp"), "one");
+}
+
+/// On a machine that many use, a link would hand in what only the grader may read.
+TEST_F(FolderLinks, RefusesAHardLinkToAnothersFile) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root gives files away";
+  const TemporaryFolder outside;
+  std::filesystem::create_hard_link(outside.write("secret", "secret"), at("spring_1d.cpp"));
+  ASSERT_EQ(::chown(folder_.path().c_str(), 65534, 65534), 0);
   const Submission s = take();
   EXPECT_TRUE(s.sources.empty());
-  EXPECT_NE(s.refused.at("spring_1d").find("hard link"), std::string::npos);
+  EXPECT_EQ(s.refused.at("spring_1d"), "spring_1d.cpp is a hard link to a file of another user: hand in a copy");
 }
 
 TEST_F(FolderSpecialFiles, DoesNotWaitForANamedPipe) {
@@ -203,6 +216,15 @@ TEST_F(FolderLimits, AHugeSparseFileCostsNothing) {
   EXPECT_EQ(take().refused.at("spring_1d"), "spring_1d.cpp is larger than 256 KiB");
 }
 
+TEST_F(FolderLimits, AnArchiveBeyondItIsRefusedAsOneAlone) {
+  IntakeLimits limits;
+  limits.archiveBytes = 1000;
+  folder_.write("ana/triangle.cpp", "two");
+  writeArchive(at("ana/work.zip"), Format::Tar, {{"spring_1d.cpp", "one"}});
+  EXPECT_EQ(refusal(at("ana"), limits), refusal(at("ana/work.zip"), limits));
+  EXPECT_EQ(refusal(at("ana"), limits), "the archive work.zip is larger than 1000 bytes: hand in the sources alone");
+}
+
 TEST_F(FolderLimits, LooksAtTheShallowFilesOfACrowdFirst) {
   IntakeLimits limits;
   limits.entries = 50;
@@ -229,6 +251,7 @@ TEST_F(FolderLimits, DeepNestingEnds) {
   const Submission s = take();
   EXPECT_TRUE(s.sources.empty());
   EXPECT_TRUE(isNoted(s, "too deep"));
+  EXPECT_NE(s.refused.at("spring_1d").find("no spring_1d.cpp; ignored d/d/"), std::string::npos);
 }
 
 TEST_F(FolderNames, AreMadePrintable) {

@@ -29,13 +29,46 @@ TEST_F(HandInNames, NearOnesAreTakenAndSaid) {
   EXPECT_EQ(s.notes, std::vector<std::string>{"spring_1d.cpp is taken from 'spring_1d/spring_1d (1).cpp'"});
 }
 
-TEST_F(HandInNames, TheExactOneGoesBeforeANearOneInABetterPlace) {
+TEST_F(HandInNames, TheExactOneDoesNotGoBeforeANearOneThatDiffers) {
   folder_.write("spring_1d/spring_1d (1).cpp", "near");
   folder_.write("a/b/spring_1d.cpp", "exact");
   const Submission s = take();
-  EXPECT_EQ(spring(s), "exact");
-  EXPECT_FALSE(s.taken.contains("spring_1d"));
-  EXPECT_TRUE(isNoted(s, "ignored in spring_1d/: spring_1d (1).cpp (another one counts)"));
+  EXPECT_TRUE(s.sources.empty());
+  EXPECT_EQ(s.refused.at("spring_1d"),
+            "spring_1d.cpp is there 2 times, and 'a/b/spring_1d.cpp' and 'spring_1d/spring_1d (1).cpp' differ: hand in "
+            "one, named spring_1d.cpp");
+}
+
+class HandInStubs : public HandIn {
+ protected:
+  Submission take() const {
+    return takeSubmission(folder_.path(), smallCourse(), {}, {},
+                          {{"spring_1d", {{"spring_1d.cpp", "// yours\n{}\n"}}}});
+  }
+};
+
+TEST_F(HandInStubs, DoNotCountBesideAnother) {
+  folder_.write("spring_1d.cpp", "\xef\xbb\xbf// yours\r\n{}");
+  folder_.write("old/spring_1d/spring_1d.cpp", "// yours\n{}\n");
+  folder_.write("spring_1d (1).cpp", "one");
+  const Submission s = take();
+  EXPECT_EQ(spring(s), "one");
+  EXPECT_EQ(s.taken.at("spring_1d"),
+            "spring_1d.cpp is taken from 'spring_1d (1).cpp', since 'old/spring_1d/spring_1d.cpp' is the stub as "
+            "handed out");
+}
+
+TEST_F(HandInStubs, CountAlone) {
+  folder_.write("a/spring_1d.cpp", "// yours\n{}\n");
+  folder_.write("b/spring_1d.cpp", "// yours\r\n{}\r\n");
+  EXPECT_EQ(spring(take()), "// yours\n{}\n");
+}
+
+TEST_F(HandInStubs, DoNotHideThatTwoOthersDiffer) {
+  folder_.write("spring_1d.cpp", "// yours\n{}\n");
+  folder_.write("a/spring_1d.cpp", "one");
+  folder_.write("b/spring_1d.cpp", "two");
+  EXPECT_NE(take().refused.at("spring_1d").find("'a/spring_1d.cpp' and 'b/spring_1d.cpp' differ"), std::string::npos);
 }
 
 TEST_F(HandInNames, TwoNearOnesThatDifferAreBothNamed) {
@@ -59,6 +92,14 @@ TEST_F(HandInNames, EqualOnesCountOnce) {
   EXPECT_EQ(s.taken.at("spring_1d"), "spring_1d.cpp is taken from 'spring_1d (1).cpp'; is there 2 times, all equal");
   EXPECT_EQ(s.sources.at("triangle").at("triangle.cpp"), "two");
   EXPECT_EQ(s.taken.at("triangle"), "triangle.cpp is there 2 times, all equal");
+}
+
+TEST_F(HandInNames, ATextIsTakenWhereThereIsNothingElse) {
+  folder_.write("spring_1d.txt", "one");
+  EXPECT_EQ(take().taken.at("spring_1d"), "spring_1d.cpp is taken from 'spring_1d.txt'");
+  folder_.write("work/spring_1d.cpp", "two");
+  EXPECT_EQ(spring(take()), "two");
+  EXPECT_TRUE(isNoted(take(), "ignored: spring_1d.txt (another one counts)"));
 }
 
 TEST_F(HandInNames, OfAnotherExercisesFolderAreNotTaken) {
@@ -95,6 +136,21 @@ TEST_F(HandInTopics, AskAboutANameSpelledAlike) {
   EXPECT_EQ(s.missing.at("triangle"), "no triangle.cpp; is 'triangel.cpp' meant?");
 }
 
+TEST_F(HandInTopics, AskAboutAnotherSuffix) {
+  folder_.write("spring_1d.hpp", "one");
+  folder_.write("triangle.cpp.bak", "two");
+  folder_.write("triangle.h", "as handed out");
+  const Submission s = take();
+  EXPECT_EQ(s.missing.at("spring_1d"), "no spring_1d.cpp; is 'spring_1d.hpp' meant?");
+  EXPECT_EQ(s.missing.at("triangle"), "no triangle.cpp; is 'triangle.cpp.bak' meant?");
+}
+
+TEST_F(HandInTopics, SayThatTheirFileLiesInAHiddenFolder) {
+  writeArchive(folder_.path() / "a.zip", Format::Zip, {{".work/spring_1d.cpp", "one"}});
+  EXPECT_EQ(take().refused.at("spring_1d"),
+            "no spring_1d.cpp; ignored a.zip/.work/spring_1d.cpp: it lies in a hidden folder");
+}
+
 TEST_F(HandInTopics, AskAboutTheExactNameInTheWrongFolder) {
   folder_.write("triangle/spring_1d.cpp", "misplaced");
   EXPECT_EQ(take().missing.at("spring_1d"), "no spring_1d.cpp; is 'triangle/spring_1d.cpp' meant?");
@@ -120,7 +176,7 @@ TEST_F(HandInTopics, OfNothingSayThatItIsEmpty) {
 
 TEST_F(HandInTopics, NotAskedForAreNotSpokenOf) {
   folder_.write("spring_1d.cpp", "one");
-  folder_.write("spring_1d (1).cpp", "other");
+  folder_.write("spring_1d (1).cpp", "one");
   folder_.write("triangle (1).cpp", "two");
   folder_.write("triangle (2).cpp", "three");
   folder_.write("old/triangle.cpp", "four");
@@ -128,7 +184,7 @@ TEST_F(HandInTopics, NotAskedForAreNotSpokenOf) {
   EXPECT_EQ(s.sources.size(), 1u);
   EXPECT_TRUE(s.refused.empty());
   EXPECT_TRUE(s.missing.empty());
-  EXPECT_EQ(s.notes, std::vector<std::string>{"ignored: spring_1d (1).cpp (another one counts)"});
+  EXPECT_EQ(s.notes, std::vector<std::string>{"spring_1d.cpp is there 2 times, all equal"});
 }
 
 TEST_F(HandInText, OfUtf16IsConvertedAndSaid) {
