@@ -48,18 +48,20 @@ class Builder {
     if (verdict.passed()) return {keep(compilation, verdict), false, true};
     if (verdict.isDecided) return {refuse(verdict), false, true};
     if (!isLastTry) return {ours(verdict.message), true, true};
-    // The machine's fault, unless a known good file compiles where this one has failed twice.
-    const CompileVerdict final = afterProbe(verdict, probeBuilds());
+    // The machine's fault, unless a known good file compiles where this one has failed twice by itself.
+    const CompileVerdict final = afterProbe(verdict, verdict.endedFromOutside || probeBuilds());
     return {final.isOurs ? ours(final.message) : refuse(final), false, true};
   }
 
  private:
-  static ToolRun toolRun(const CommandResult& result, bool succeeded) {
+  static ToolRun toolRun(const Compilation& compilation, bool succeeded) {
     constexpr int signalled = 128;  // a shell and bubblewrap pass a signal on as 128 + signal
+    const CommandResult& result = compilation.run;
     ToolRun run;
     run.words = result.err;
     run.succeeded = succeeded;
     run.timedOut = result.timedOut;
+    run.endedFromOutside = !succeeded && compilation.endedFromOutside;
     run.processorSeconds = result.status.cpuSeconds;
     if (result.status.signalled) run.signal = result.status.code;
     if (!result.status.signalled && result.status.code > signalled) run.signal = result.status.code - signalled;
@@ -71,7 +73,7 @@ class Builder {
     using Stage = Compilation::Stage;
     const std::vector<StudentFile> files = studentFiles(sources_);
     const bool compiled = compilation.stage == Stage::Linking || compilation.stage == Stage::Done;
-    CompileVerdict verdict = judgeCompilation(toolRun(compilation.run, compiled), files, workplace_.limits);
+    CompileVerdict verdict = judgeCompilation(toolRun(compilation, compiled), files, workplace_.limits);
     if (!compiled) return verdict;
     const SymbolVerdict symbols = judgeSymbols(readSymbols(compilation.symbols));
     if (workplace_.judgesSymbols && symbols.outcome != Outcome::Passed) {
@@ -81,7 +83,7 @@ class Builder {
     }
     const fs::path contract = workplace_.contract(manifest_.topic);
     if (compilation.stage == Stage::Linking) {
-      return judgeLink(toolRun(compilation.run, false), files, readFile(contract), contract.filename().string(),
+      return judgeLink(toolRun(compilation, false), files, readFile(contract), contract.filename().string(),
                        workplace_.limits);
     }
     if (compilation.run.outCut) {
