@@ -160,6 +160,43 @@ TEST_F(Fault, ACompilerThatDiesOfOneFileTwiceIsThatFilesFault) {
   expectUndisturbed(grade(honest()), honest());
 }
 
+/// What a disk has made of a kept object is not loaded: it is built again, and the next run finds that.
+TEST_F(Fault, AKeptObjectThatIsDamaged) {
+  const auto damageAll = [this](std::uintmax_t bytes) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(workplace_.objects())) {
+      if (entry.path().extension() == ".so") resize_file(entry.path(), bytes);
+    }
+    remove_all(workplace_.records());
+  };
+  for (const Sources* sources : {&honest(), &wrong()}) {
+    expectUndisturbed(grade(*sources), *sources);
+    for (const std::uintmax_t bytes : {0U, 9000U, 1U << 20U}) {
+      SCOPED_TRACE(bytes);
+      damageAll(bytes);
+      expectUndisturbed(grade(*sources), *sources);
+      grade(*sources);
+      EXPECT_EQ(started(), 0) << "what was built again is kept";
+    }
+  }
+}
+
+/// Whatever is kept: a file whose reading fails (as address 0 of a process does) is made again.
+TEST_F(Fault, AKeptFileThatCannotBeRead) {
+  for (const Sources* sources : {&honest(), &wrong()}) {
+    grade(*sources, SandboxChoice::Automatic, true);
+    for (const auto& folder : {workplace_.objects(), workplace_.records()}) {
+      for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        if (!entry.is_regular_file()) continue;
+        remove(entry.path());
+        create_symlink("/proc/self/mem", entry.path());
+      }
+    }
+    expectUndisturbed(grade(*sources, SandboxChoice::Automatic, true), *sources);
+    grade(*sources, SandboxChoice::Automatic, true);
+    EXPECT_EQ(started(), 0);
+  }
+}
+
 /// From no room at all to so much that the object is still built and a record is not.
 TEST_F(Fault, AFullDisk) {
   std::filesystem::create_directories(workplace_.kept);
