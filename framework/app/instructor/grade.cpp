@@ -10,7 +10,9 @@
 #include "grader/report/report_folder.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 #include <algorithm>
+#include <cerrno>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -83,14 +85,17 @@ fs::path madeFolder(const std::optional<fs::path>& given, const std::string& sub
   return *given;
 }
 
+bool isForbidden(const fs::path& path) { return ::access(path.c_str(), R_OK) != 0 && errno == EACCES; }
+
 /// A submission that cannot be taken any more keeps no score of an earlier run.
 grader::Submission take(const grader::Grader& grader, const GradeCommand& command,
                         const std::optional<fs::path>& given) {
   try {
     return grader.take(command.submission);
-  } catch (const std::exception&) {
+  } catch (const std::exception& error) {
     const auto old = given ? given : grader::findReportFolder(defaultParent, command.submission);
     if (old && grader::isOwn(*old, command.submission)) grader::removeReports(*old);
+    if (isForbidden(command.submission)) throw MachineFault(error.what());
     throw;
   }
 }
