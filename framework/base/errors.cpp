@@ -4,6 +4,8 @@
 #include "base/text/printable.h"
 
 #include <fmt/format.h>
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
@@ -31,7 +33,30 @@ std::string wordsOf(const std::exception& error) {
   return printableLine(oneLine(error.what()));
 }
 
+/// True for what a wrong name is answered with, and no machine that is well avoids.
+bool isOfAName(const std::error_code& code) {
+  constexpr std::array answers{
+      std::errc::no_such_file_or_directory, std::errc::not_a_directory,  std::errc::is_a_directory,
+      std::errc::filename_too_long,         std::errc::invalid_argument, std::errc::too_many_symbolic_link_levels};
+  return std::ranges::any_of(answers, [&code](std::errc answer) { return code == answer; });
+}
+
+int tell(const std::exception& error, int code) {
+  // Not by fmt, which throws where this stream cannot be written either.
+  std::fputs(("muelle: " + wordsOf(error) + "\n").c_str(), stderr);
+  return code;
+}
+
 }  // namespace
+
+int blamingTheMachine(const std::function<int()>& body) {
+  try {
+    return body();
+  } catch (const std::system_error& error) {
+    if (isOfAName(error.code()) || standardOutputFailed()) throw;
+    throw MachineFault(error.what());
+  }
+}
 
 int withErrorsOnOneLine(const std::function<int()>& body) {
   guardStandardStreams();
@@ -39,10 +64,10 @@ int withErrorsOnOneLine(const std::function<int()>& body) {
     const int code = body();
     finishStandardOutput();
     return code;
+  } catch (const MachineFault& error) {
+    return tell(error, 1);
   } catch (const std::exception& error) {
-    // Not by fmt, which throws where this stream cannot be written either.
-    std::fputs(("muelle: " + wordsOf(error) + "\n").c_str(), stderr);
-    return 2;
+    return tell(error, 2);
   }
 }
 

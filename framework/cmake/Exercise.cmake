@@ -12,6 +12,7 @@ function(muelle_prelude)
             -isystem ${MUELLE_EIGEN_INCLUDE} -x c++-header ${wrapper} -o ${product}
     DEPENDS ${header} ${CMAKE_SOURCE_DIR}/framework/harness/types.h
             ${CMAKE_SOURCE_DIR}/framework/harness/eigen_assertion.h
+            ${CMAKE_SOURCE_DIR}/framework/harness/eigen_fill.h
     COMMENT "Precompiling Eigen and the harness for students' files"
     VERBATIM)
   add_custom_target(muelle_prelude ALL DEPENDS ${product})

@@ -2,6 +2,7 @@
 #include "support/temporary.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace muelle {
 namespace {
@@ -55,6 +56,26 @@ TEST(TemporaryFolder, VanishesWithItsScope) {
     EXPECT_TRUE(fs::exists(path));
   }
   EXPECT_FALSE(fs::exists(path));
+}
+
+TEST(TemporaryFolder, IsCalledLikeNoOtherProcesss) {
+  const TemporaryFolder folder(::testing::TempDir());
+  EXPECT_EQ(folder.path().filename().string().find(std::to_string(::getpid())), std::string::npos);
+}
+
+TEST(TemporaryFolder, OfADeadProcessIsRemovedAndALivingOnesIsNot) {
+  const TemporaryFolder parent(::testing::TempDir());
+  const std::filesystem::path abandoned = parent.path() / ".work.17-0.tmp";
+  std::filesystem::create_directory(abandoned);
+  writeFile(abandoned / "record.json", "{}");
+  const TemporaryFolder alive(parent.path());
+  std::filesystem::create_directory(parent.path() / "other");
+  removeAbandonedFolders(parent.path());
+  EXPECT_TRUE(std::filesystem::exists(abandoned)) << "it is younger than ten minutes";
+  removeAbandonedFolders(parent.path(), std::chrono::seconds(0));
+  EXPECT_FALSE(std::filesystem::exists(abandoned));
+  EXPECT_TRUE(std::filesystem::exists(alive.path()));
+  EXPECT_TRUE(std::filesystem::exists(parent.path() / "other"));
 }
 
 TEST(TemporaryFolder, IsAnotherOneEachTime) {

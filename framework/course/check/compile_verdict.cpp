@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <initializer_list>
 
@@ -44,6 +45,10 @@ bool passedFileSize(const ToolRun& run) {
   return run.signal == SIGXFSZ || hasAny(run.words, {"File size limit exceeded", "File too large"});
 }
 
+bool wasEndedFromOutside(const ToolRun& run) {
+  return run.endedFromOutside || (run.signal != 0 && isFromOutside(run.signal));
+}
+
 /// The first lines of what a tool said.
 std::string excerpt(std::string_view words) { return printableText(cutText(words, 10, 2000)); }
 
@@ -59,6 +64,11 @@ CompileVerdict undecided(const ToolRun& run, const CompileLimits& limits, std::s
   } else if (passedProcessorTime(run, limits)) {
     verdict.outcome = Outcome::Cpu;
     verdict.message = fmt::format("{} took more than {} s of processor time", step, limits.processorTime.count());
+  } else if (wasEndedFromOutside(run)) {
+    verdict.outcome = Outcome::Killed;
+    verdict.wasKilled = true;
+    verdict.endedFromOutside = true;
+    verdict.message = fmt::format("{} was ended from outside", step);
   } else if (passedFileSize(run)) {
     verdict.outcome = Outcome::Compile;
     verdict.message = fmt::format("the compiled file is larger than {} MiB", limits.product >> 20U);
@@ -68,7 +78,7 @@ CompileVerdict undecided(const ToolRun& run, const CompileLimits& limits, std::s
   } else if (run.signal != 0 || saysItWasKilled(run.words)) {
     verdict.outcome = Outcome::Killed;
     verdict.wasKilled = true;
-    verdict.message = fmt::format("{} was ended from outside", step);
+    verdict.message = fmt::format("{} was ended by a signal", step);
   } else {
     verdict.outcome = otherwise;
     verdict.message = otherwise == Outcome::Link ? "it compiles, but does not fit its contract" : "it does not compile";
@@ -95,6 +105,11 @@ bool namesTheirs(std::string_view words, const std::vector<StudentFile>& files, 
 
 }  // namespace
 
+bool isFromOutside(int signal) {
+  constexpr std::array ofItsOwn{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS, SIGXCPU, SIGXFSZ};
+  return std::ranges::find(ofItsOwn, signal) == ofItsOwn.end();
+}
+
 CompileVerdict judgeCompilation(const ToolRun& run, const std::vector<StudentFile>& files,
                                 const CompileLimits& limits) {
   const std::vector<Diagnostic> found = parseDiagnostics(run.words, files);
@@ -106,7 +121,7 @@ CompileVerdict judgeCompilation(const ToolRun& run, const std::vector<StudentFil
   const auto error =
       std::ranges::find_if(found, [](const Diagnostic& d) { return d.isError && !isOfTheMachine(d.message); });
   // A limit beside errors is the limit's: what stands before it may be cut short.
-  const bool atLimit = run.timedOut || run.signal != 0 || passedProcessorTime(run, limits);
+  const bool atLimit = run.timedOut || run.signal != 0 || run.endedFromOutside || passedProcessorTime(run, limits);
   if (error == found.end() || atLimit) return undecided(run, limits, "compiling", Outcome::Compile);
   verdict.outcome = Outcome::Compile;
   verdict.message = fmt::format("it does not compile: {}:{}: {}", error->file, error->line, error->message);
@@ -118,7 +133,8 @@ CompileVerdict judgeLink(const ToolRun& run, const std::vector<StudentFile>& fil
                          std::string_view contractName, const CompileLimits& limits) {
   if (run.succeeded) return {};
   CompileVerdict verdict = undecided(run, limits, "linking", Outcome::Link);
-  if (run.timedOut || run.signal != 0 || !namesTheirs(run.words, files, contract)) return verdict;
+  if (run.timedOut || run.signal != 0 || run.endedFromOutside || !namesTheirs(run.words, files, contract))
+    return verdict;
   verdict.outcome = Outcome::Link;
   verdict.isDecided = true;
   verdict.wasKilled = false;
@@ -130,7 +146,7 @@ CompileVerdict judgeLink(const ToolRun& run, const std::vector<StudentFile>& fil
 CompileVerdict afterProbe(CompileVerdict verdict, bool probeBuilds) {
   if (verdict.isDecided) return verdict;
   verdict.isDecided = true;
-  verdict.isOurs = !probeBuilds || verdict.outcome == Outcome::Wall;
+  verdict.isOurs = !probeBuilds || verdict.outcome == Outcome::Wall || verdict.endedFromOutside;
   if (!probeBuilds) {
     verdict.message = fmt::format("the compiler fails on a file that is known to be good, too ({})", verdict.message);
   }

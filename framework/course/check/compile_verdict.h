@@ -24,6 +24,7 @@ struct ToolRun {
   bool timedOut = false;          ///< it passed the wall limit
   int signal = 0;                 ///< that ended the driver itself; 0: none
   double processorSeconds = 0.0;  ///< of all its processes; 0 when unknown
+  bool endedFromOutside = false;  ///< whoever started it has seen no tool fail by itself; no tool's words say this
 };
 
 /// What a build came to.
@@ -34,9 +35,14 @@ struct CompileVerdict {
   bool isDecided = true;              ///< false: build the probe, then ask afterProbe()
   bool isOurs = false;                ///< nobody's points are at stake: the machine or the course has failed
   bool wasKilled = false;             ///< from outside or at a wide limit: worth one more try alone
+  bool endedFromOutside = false;      ///< by a wait status, not by words: never the student's, however often
 
   bool passed() const { return outcome == Outcome::Passed; }
 };
+
+/// True for a signal that a process does not draw by its own work, as it does SIGSEGV or a limit's SIGXCPU: SIGKILL,
+/// SIGTERM ...
+bool isFromOutside(int signal);
 
 /// \param files the student's   \param limits those under which it ran, for the words of the verdict
 CompileVerdict judgeCompilation(const ToolRun& run, const std::vector<StudentFile>& files, const CompileLimits& limits);
@@ -45,7 +51,8 @@ CompileVerdict judgeCompilation(const ToolRun& run, const std::vector<StudentFil
 CompileVerdict judgeLink(const ToolRun& run, const std::vector<StudentFile>& files, std::string_view contract,
                          std::string_view contractName, const CompileLimits& limits);
 
-/// What an undecided verdict becomes: the student's when a known good file builds in the same place, else ours.
+/// What an undecided verdict becomes: the student's when a known good file builds in the same place and nothing was
+/// seen to be ended from outside, else ours.
 CompileVerdict afterProbe(CompileVerdict verdict, bool probeBuilds);
 
 }  // namespace muelle

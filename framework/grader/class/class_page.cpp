@@ -45,6 +45,14 @@ std::string withoutScore(const GradedClass& graded) {
   return html + "</ul>\n</section>\n";
 }
 
+std::string withoutReport(const GradedClass& graded) {
+  const std::vector<std::string> lines = graded.missingReports();
+  if (lines.empty()) return "";
+  std::string html = "<section class=\"warning\">\n<h2>No report</h2>\n<ul>\n";
+  for (const std::string& line : lines) html += fmt::format("<li>{}</li>\n", escapeHtml(line));
+  return html + "</ul>\n</section>\n";
+}
+
 std::string distribution(const GradedClass& graded, const ClassStatistics& statistics) {
   std::vector<double> totals;
   for (const ClassRow& row : graded.rows) {
@@ -137,8 +145,9 @@ std::string classPage(const GradedClass& graded) {
   const ClassStatistics statistics = statisticsOf(graded);
   const std::string title = fmt::format("{} · {} students", graded.name, graded.rows.size());
   return page(title,
-              pageHeader(graded, statistics) + withoutScore(graded) + distribution(graded, statistics) +
-                  exercises(graded, statistics) + hardest(statistics) + mistakes(statistics) + students(graded) +
+              pageHeader(graded, statistics) + withoutScore(graded) + withoutReport(graded) +
+                  distribution(graded, statistics) + exercises(graded, statistics) + hardest(statistics) +
+                  mistakes(statistics) + students(graded) +
                   pageFooter(showSandbox(graded.sandbox), "Not graded, because no submission:", graded.notes),
               classStyle);
 }

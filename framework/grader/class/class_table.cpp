@@ -136,6 +136,7 @@ class Table {
     hardest();
     mistakes();
     withoutScore();
+    list("no report", graded_.missingReports(), "mend what is broken, then type the same command again", paint::yellow);
     notes();
     return std::move(text_);
   }

@@ -23,7 +23,7 @@ class Grading {
 
   GradedClass run() {
     const ClassFolder folder = listClass(options_.folder);
-    class_.name = options_.folder.lexically_normal().filename().string();
+    class_.name = fs::canonical(options_.folder).filename().string();
     class_.course = grader_.course();
     class_.sandbox = grader_.sandbox().description();
     class_.notes = folder.notes;
@@ -54,15 +54,21 @@ class Grading {
       });
     } catch (const std::exception& error) {
       row.trouble = error.what();
+      forget(row, entry.path);
       count();
     }
   }
 
   void finish(std::size_t i, const fs::path& path, GradedSubmission graded) {
     ClassRow& row = class_.rows[i];
-    const fs::path folder = reportFolder(options_.out / "reports", path);
-    writeReports(graded, folder);
-    row.report = (folder.lexically_relative(options_.out) / "report.html").generic_string();
+    try {
+      const fs::path folder = reportFolder(reports(), path);
+      writeReports(graded, folder);
+      row.report = (folder.lexically_relative(options_.out) / "report.html").generic_string();
+    } catch (const std::exception& error) {
+      row.reportFault = error.what();
+      forget(row, path);
+    }
     for (GradedExercise& exercise : graded.exercises) {  // in the report; 300 students' would fill the memory
       exercise.figures.clear();
       exercise.figures.shrink_to_fit();
@@ -71,16 +77,31 @@ class Grading {
     count();
   }
 
+  /// Whoever has no report of this run keeps none of an earlier one, which may hold a score.
+  void forget(ClassRow& row, const fs::path& path) {
+    try {
+      if (const auto old = findReportFolder(reports(), path)) removeReports(*old);
+    } catch (const std::exception& error) {
+      row.reportFault = error.what();
+    }
+  }
+
+  fs::path reports() const { return options_.out / "reports"; }
+
   void count() {
     const std::lock_guard lock(mutex_);
     ++done_;
     if (progress_) progress_(static_cast<double>(done_) / static_cast<double>(class_.rows.size()));
   }
 
-  void write() const {
-    fs::create_directories(options_.out);
-    writeFile(options_.out / "grades.csv", gradesCsv(class_));
-    writeFile(options_.out / "class.html", classPage(class_));
+  void write() {
+    try {
+      claim(options_.out, options_.folder);
+      writeFile(options_.out / "grades.csv", gradesCsv(class_), Durable::Yes);
+      writeFile(options_.out / "class.html", classPage(class_), Durable::Yes);
+    } catch (const std::exception& error) {
+      class_.outFault = error.what();
+    }
   }
 
   Grader& grader_;

@@ -17,7 +17,8 @@ struct ClassOptions {
 /// A hand-in that cannot be read is a row without points and with a note; the others are graded. What has been graded
 /// before (an earlier run that was killed, say) is found again by its content and not graded twice.
 /// \param progress called with the part of the submissions that are done
-/// Throws std::runtime_error when the folder cannot be read or holds no submission, or nothing can be written.
+/// What cannot be written is told in the class, whose points are right all the same.
+/// Throws std::runtime_error when the folder cannot be read or holds no submission.
 GradedClass gradeClass(Grader& grader, const ClassOptions& options,
                        const std::function<void(double fraction)>& progress = {});
 

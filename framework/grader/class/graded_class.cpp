@@ -34,6 +34,14 @@ int GradedClass::faults() const {
   return static_cast<int>(std::ranges::count_if(rows, [](const ClassRow& row) { return !row.points(); }));
 }
 
+std::vector<std::string> GradedClass::missingReports() const {
+  std::vector<std::string> lines;
+  for (const ClassRow& row : rows) {
+    if (!row.reportFault.empty()) lines.push_back(fmt::format("{}: {}", row.student, printableLine(row.reportFault)));
+  }
+  return lines;
+}
+
 double GradedClass::maxPoints() const {
   double sum = 0.0;
   for (const Manifest& exercise : course) sum += grader::maxPoints(exercise);

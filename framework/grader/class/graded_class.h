@@ -13,6 +13,7 @@ struct ClassRow {
   std::optional<std::string> trouble;  ///< why the hand-in could not be read: no points, and this note
   GradedSubmission graded;             ///< empty when there is trouble
   std::string report;                  ///< the report's path below the class's folder, with "/"; "" when there is none
+  std::string reportFault{};           ///< why there is none of a hand-in that was graded; "" when there is
 
   /// Points of the whole; nullopt when there is trouble or a fault of the grader.
   std::optional<double> points() const;
@@ -29,10 +30,13 @@ struct GradedClass {
   std::vector<ClassRow> rows;
   std::vector<std::string> notes;  ///< children of the folder that are no submissions; untrusted text inside
   std::string sandbox;
+  std::string outFault{};  ///< why grades.csv or class.html could not be written; "" when they were
 
   /// Rows without points.
   int faults() const;
   bool hasFault() const { return faults() > 0; }
+  /// "STUDENT: why", a line for each report that could not be written.
+  std::vector<std::string> missingReports() const;
   double maxPoints() const;
 };
 

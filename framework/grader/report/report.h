@@ -26,4 +26,8 @@ std::string htmlPage(const GradedSubmission& graded);
 /// when `folder` is a link that leads out of the folder it stands in.
 void writeReports(const GradedSubmission& graded, const std::filesystem::path& folder);
 
+/// Removes these files where they stand: a submission that has no score any more keeps none of an earlier run.
+/// Throws std::system_error naming the file that cannot be removed.
+void removeReports(const std::filesystem::path& folder);
+
 }  // namespace muelle::grader

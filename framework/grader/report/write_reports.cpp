@@ -1,46 +1,38 @@
 #include "grader/report/report.h"
 
 #include "base/file.h"
+#include "grader/report/report_folder.h"
 
-#include <fmt/format.h>
-#include <algorithm>
-#include <stdexcept>
+#include <array>
+#include <system_error>
 
 namespace muelle::grader {
 
-namespace {
-
 namespace fs = std::filesystem;
 
-/// The folder by its own name: "reports" of "reports/".
-fs::path withoutEndingSlash(const fs::path& folder) { return folder.has_filename() ? folder : folder.parent_path(); }
+namespace {
 
-/// True when `path` lies in `folder`; both without links.
-bool isInside(const fs::path& path, const fs::path& folder) {
-  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
-}
-
-void refuseLinkOut(const fs::path& folder) {
-  if (!fs::is_symlink(folder)) return;
-  const fs::path parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
-  if (isInside(fs::weakly_canonical(folder), fs::canonical(parent))) return;
-  throw std::runtime_error(
-      fmt::format("cannot write the reports into {}: it is a link that leads out of its folder; remove it, or name the "
-                  "folder that it leads to",
-                  folder.string()));
-}
+constexpr std::array names{"report.html", "results.xml", "results.json"};
 
 }  // namespace
 
 void writeReports(const GradedSubmission& graded, const fs::path& folder) {
-  refuseLinkOut(withoutEndingSlash(folder));
+  refuseLinkOut(folder);
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw std::runtime_error(fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
+  if (error) throw std::system_error(error, "cannot make the folder " + folder.string());
   // The scores last: where the disk fills up, they do not stand without the page that explains them.
-  writeFile(folder / "report.html", htmlPage(graded));
-  writeFile(folder / "results.xml", junitXml(graded));
-  writeFile(folder / "results.json", resultsJson(graded));
+  writeFile(folder / names[0], htmlPage(graded));
+  writeFile(folder / names[1], junitXml(graded));
+  writeFile(folder / names[2], resultsJson(graded), Durable::Yes);
+}
+
+void removeReports(const fs::path& folder) {
+  for (const char* name : names) {
+    std::error_code error;
+    fs::remove(folder / name, error);
+    if (error) throw std::system_error(error, "cannot remove the old report " + (folder / name).string());
+  }
 }
 
 }  // namespace muelle::grader

@@ -5,6 +5,7 @@
 #include "course/check/probe.h"
 #include "course/check/symbols.h"
 #include "grader/run/compile.h"
+#include "grader/run/digest.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -48,18 +49,20 @@ class Builder {
     if (verdict.passed()) return {keep(compilation, verdict), false, true};
     if (verdict.isDecided) return {refuse(verdict), false, true};
     if (!isLastTry) return {ours(verdict.message), true, true};
-    // The machine's fault, unless a known good file compiles where this one has failed twice.
-    const CompileVerdict final = afterProbe(verdict, probeBuilds());
+    // The machine's fault, unless a known good file compiles where this one has failed twice by itself.
+    const CompileVerdict final = afterProbe(verdict, verdict.endedFromOutside || probeBuilds());
     return {final.isOurs ? ours(final.message) : refuse(final), false, true};
   }
 
  private:
-  static ToolRun toolRun(const CommandResult& result, bool succeeded) {
+  static ToolRun toolRun(const Compilation& compilation, bool succeeded) {
     constexpr int signalled = 128;  // a shell and bubblewrap pass a signal on as 128 + signal
+    const CommandResult& result = compilation.run;
     ToolRun run;
     run.words = result.err;
     run.succeeded = succeeded;
     run.timedOut = result.timedOut;
+    run.endedFromOutside = !succeeded && compilation.endedFromOutside;
     run.processorSeconds = result.status.cpuSeconds;
     if (result.status.signalled) run.signal = result.status.code;
     if (!result.status.signalled && result.status.code > signalled) run.signal = result.status.code - signalled;
@@ -71,7 +74,7 @@ class Builder {
     using Stage = Compilation::Stage;
     const std::vector<StudentFile> files = studentFiles(sources_);
     const bool compiled = compilation.stage == Stage::Linking || compilation.stage == Stage::Done;
-    CompileVerdict verdict = judgeCompilation(toolRun(compilation.run, compiled), files, workplace_.limits);
+    CompileVerdict verdict = judgeCompilation(toolRun(compilation, compiled), files, workplace_.limits);
     if (!compiled) return verdict;
     const SymbolVerdict symbols = judgeSymbols(readSymbols(compilation.symbols));
     if (workplace_.judgesSymbols && symbols.outcome != Outcome::Passed) {
@@ -81,7 +84,7 @@ class Builder {
     }
     const fs::path contract = workplace_.contract(manifest_.topic);
     if (compilation.stage == Stage::Linking) {
-      return judgeLink(toolRun(compilation.run, false), files, readFile(contract), contract.filename().string(),
+      return judgeLink(toolRun(compilation, false), files, readFile(contract), contract.filename().string(),
                        workplace_.limits);
     }
     if (compilation.run.outCut) {
@@ -96,55 +99,74 @@ class Builder {
     return compile(workplace_, manifest_, probe, sandbox_, Build::Probe).stage == Compilation::Stage::Done;
   }
 
+  /// nullopt for what is not as it was written, too: then it is built again.
   std::optional<BuiltObject> kept() const {
     const auto text = store_.read(key_, outcomeSuffix);
     if (!text) return std::nullopt;
-    const nlohmann::json document = nlohmann::json::parse(*text, nullptr, false);
-    if (!document.is_object() || !document.contains("status") || !document.contains("sanitised")) return std::nullopt;
-    BuiltObject object;
-    object.outcome.status = static_cast<Status>(document["status"].get<int>());
-    object.outcome.outcome = outcomeNamed(document["outcome"].get<std::string>());
-    object.outcome.message = document["message"].get<std::string>();
-    object.outcome.diagnostics = document["diagnostics"].get<std::string>();
-    object.plain = store_.file(key_, objectSuffix);
-    if (document["sanitised"].get<bool>()) object.sanitised = store_.file(key_, sanitisedSuffix);
-    const bool isWhole =
-        object.outcome.status != Status::Built ||
-        (store_.has(key_, objectSuffix) && (object.sanitised.empty() || store_.has(key_, sanitisedSuffix)));
-    return isWhole ? std::optional(object) : std::nullopt;
+    try {
+      const nlohmann::json document = nlohmann::json::parse(*text);
+      BuiltObject object;
+      object.outcome.status = static_cast<Status>(document.at("status").get<int>());
+      object.outcome.outcome = outcomeNamed(document.at("outcome").get<std::string>());
+      document.at("message").get_to(object.outcome.message);
+      document.at("diagnostics").get_to(object.outcome.diagnostics);
+      if (object.outcome.status != Status::Built) return object;
+      object.plain = whole(objectSuffix, document.at("plain").get<std::string>());
+      const std::string sanitised = document.at("sanitised");
+      if (!sanitised.empty()) object.sanitised = whole(sanitisedSuffix, sanitised);
+      return object;
+    } catch (const std::exception&) {
+      return std::nullopt;
+    }
   }
 
-  void write(const BuiltObject& object) const {
-    const nlohmann::json document{{"status", static_cast<int>(object.outcome.status)},
-                                  {"outcome", std::string(nameOf(object.outcome.outcome))},
-                                  {"message", object.outcome.message},
-                                  {"diagnostics", object.outcome.diagnostics},
-                                  {"sanitised", !object.sanitised.empty()}};
+  /// A kept object. Throws std::runtime_error when its content is another than the one that was kept.
+  fs::path whole(const char* suffix, const std::string& expected) const {
+    fs::path file = store_.file(key_, suffix);
+    if (digestOfFile(file) != expected) throw std::runtime_error("damaged: " + file.string());
+    return file;
+  }
+
+  /// \param plain, sanitised the objects' digests; "" where there is none
+  void write(const BuildOutcome& outcome, const std::string& plain = "", const std::string& sanitised = "") const {
+    const nlohmann::json document{{"status", static_cast<int>(outcome.status)},
+                                  {"outcome", std::string(nameOf(outcome.outcome))},
+                                  {"message", outcome.message},
+                                  {"diagnostics", outcome.diagnostics},
+                                  {"plain", plain},
+                                  {"sanitised", sanitised}};
     store_.write(key_, outcomeSuffix, document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
+  }
+
+  /// Puts an object into the store; its digest.
+  std::string store(const char* suffix, const Compilation& compilation) const {
+    store_.write(key_, suffix, compilation.run.out);
+    return digestOfBytes(compilation.run.out);
   }
 
   /// The objects first: whoever reads the outcome finds them.
   BuiltObject keep(const Compilation& compilation, const CompileVerdict& verdict) const {
     BuiltObject object;
     object.outcome = {Status::Built, "", verdict.diagnostics, Outcome::Passed};
-    store_.write(key_, objectSuffix, compilation.run.out);
+    const std::string plain = store(objectSuffix, compilation);
+    std::string sanitised;
     object.plain = store_.file(key_, objectSuffix);
     if (wantsSecondLook(compilation.run.err, studentFiles(sources_))) {
       const Compilation second = compile(workplace_, manifest_, sources_, sandbox_, Build::Sanitised);
       if (second.stage != Compilation::Stage::Done) {
         return ours("the build with sanitizers failed: " + second.run.err.substr(0, 300));
       }
-      store_.write(key_, sanitisedSuffix, second.run.out);
+      sanitised = store(sanitisedSuffix, second);
       object.sanitised = store_.file(key_, sanitisedSuffix);
     }
-    write(object);
+    write(object.outcome, plain, sanitised);
     return object;
   }
 
   BuiltObject refuse(const CompileVerdict& verdict) const {
     BuiltObject object;
     object.outcome = {Status::CompileError, verdict.message, verdict.diagnostics, verdict.outcome};
-    write(object);
+    write(object.outcome);
     return object;
   }
 

@@ -4,6 +4,7 @@
 #include "course/check/compile_rules.h"
 #include "grader/run/digest.h"
 #include "grader/run/shared_prelude.h"
+#include "grader/run/tool_watch.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -101,22 +102,24 @@ std::vector<VisibleFile> compilersView(const Workplace& workplace, const Manifes
 }
 
 /// Runs in the sandbox's root folder, which only some backends can make "/". Nothing of the student's runs here, only
-/// compiler, nm and linker do; the product leaves by stdout, the list of symbols by descriptor 3.
+/// compiler, nm and linker do, each watched; the product leaves by stdout, the list of symbols by descriptor 3.
 std::string compileScript(const Workplace& workplace, const Sources& sources, SandboxChoice sandbox, Build build) {
   std::string files;
   for (const auto& [name, content] : sources) files += " ../submission/" + name;
   const bool isSanitised = build == Build::Sanitised;
   const std::string compiler = insideOf(workplace.compiler);
   return fmt::format(
-      "cd tmp && {0} {1} {2} -I../contract -I../framework -isystem ../eigen -c{3} || exit {4}\n"
-      "nm -P *.o >&3 || exit {5}\n"
-      "{0} {6}{10} {7} *.o {8} -o submission.so || exit {9}\n"
+      "cd tmp && {11}{0} {12}{1} {2} -I../contract -I../framework -isystem ../eigen -c{3} || exit {4}\n"
+      "{14}nm -P *.o >&3 || exit {5}\n"
+      "{0} {13}{6}{10} {7} *.o {8} -o submission.so || exit {9}\n"
       "cat submission.so\n",
       compiler, joined(isSanitised ? sanitizedCompileFlags() : studentCompileFlags()),
       isSanitised ? "" : "-I../prelude -include prelude.h", files, compileFailed, symbolsFailed, linkFlags,
       joined(linkFlagsIn(sandbox, isSanitised)),
       build == Build::Probe ? "" : "-Wl,--whole-archive ../glue.a -Wl,--no-whole-archive", linkFailed,
-      isSanitised ? "" : " -Wl,-z,defs");  // the host has the sanitizers' own symbols
+      isSanitised ? "" : " -Wl,-z,defs",  // the host has the sanitizers' own symbols
+      compilesWithClang() ? ToolWatch::command() : "", ToolWatch::compilerFlag(), ToolWatch::linkerFlag(),
+      ToolWatch::command());
 }
 
 std::string compilerIdentity(const Workplace& workplace) {
@@ -136,8 +139,12 @@ Compilation compile(const Workplace& workplace, const Manifest& manifest, const 
   capture.outBytes = workplace.limits.product;
   capture.errBytes = workplace.limits.words;
   capture.reportBytes = symbolBytes;
-  compilation.run = sandbox.run(confinementOf(workplace, manifest, sources, sandbox.choice(), build), capture);
+  Confinement confinement = confinementOf(workplace, manifest, sources, sandbox.choice(), build);
+  const ToolWatch watch;
+  watch.addTo(confinement);
+  compilation.run = sandbox.run(confinement, capture);
   compilation.stage = stageOf(compilation.run);
+  compilation.endedFromOutside = compilation.stage != Compilation::Stage::Done && !watch.sawOwnFailure();
   compilation.symbols = compilation.run.report;
   return compilation;
 }

@@ -14,6 +14,7 @@ struct Compilation {
   Stage stage = Stage::Elsewhere;  ///< where it ended; Elsewhere: neither tool said so
   CommandResult run;               ///< out: the shared object; err: the tools' words
   std::string symbols;             ///< `nm -P` of the student's objects
+  bool endedFromOutside = false;   ///< it failed, and no tool has been seen to fail by itself
 };
 
 /// Which build of a student's files.

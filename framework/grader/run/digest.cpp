@@ -51,6 +51,12 @@ std::string digest(std::initializer_list<std::string_view> parts) {
   return sha.hexadecimal();
 }
 
+std::string digestOfBytes(std::string_view bytes) {
+  Sha256 sha;
+  sha.add(bytes);
+  return sha.hexadecimal();
+}
+
 std::string digestOfFile(const std::filesystem::path& file) {
   // One run asks for the same programs and headers thousands of times; a file that was written has another time.
   using Version = std::tuple<std::string, std::filesystem::file_time_type, std::uintmax_t>;
@@ -63,9 +69,7 @@ std::string digestOfFile(const std::filesystem::path& file) {
     const std::lock_guard lock(mutex);
     if (const auto found = known.find(version); found != known.end()) return found->second;
   }
-  Sha256 sha;
-  sha.add(readFile(file));
-  std::string result = sha.hexadecimal();
+  std::string result = digestOfBytes(readFile(file));
   const std::lock_guard lock(mutex);
   known.emplace(version, result);
   return result;

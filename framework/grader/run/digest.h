@@ -10,6 +10,9 @@ namespace muelle::grader {
 /// SHA-256 over parts, each preceded by its length so that no two lists of parts look alike; 64 hexadecimal digits.
 std::string digest(std::initializer_list<std::string_view> parts);
 
+/// SHA-256 of a text as it is: what digestOfFile() gives of a file that holds it.
+std::string digestOfBytes(std::string_view bytes);
+
 /// SHA-256 of a file's content. Throws std::runtime_error naming the file.
 std::string digestOfFile(const std::filesystem::path& file);
 

@@ -41,6 +41,9 @@ void ExerciseRun::build(Try attempt) {
     if (built.isDoubtful && attempt == Try::Shared) {
       return pool_.addAlone([self = shared_from_this()] { self->build(Try::Alone); });
     }
+    candidate_ = std::make_unique<Candidate>(
+        Candidate{manifest_, sources_, objectKey(grader_.workplace(), manifest_, sources_, grader_.options().sandbox),
+                  built.object});
   } catch (const std::exception& error) {
     return fail(error.what());
   }
@@ -49,9 +52,6 @@ void ExerciseRun::build(Try attempt) {
     grader_.count(grader_.finished_);
     return done_(std::move(graded_));
   }
-  candidate_ = std::make_unique<Candidate>(
-      Candidate{manifest_, sources_, objectKey(grader_.workplace(), manifest_, sources_, grader_.options().sandbox),
-                built.object});
   missing_ = manifest_.criteria.size() + (grader_.options().withCurves ? 1 : 0);
   grader_.count(grader_.known_, static_cast<int>(missing_));
   grader_.count(grader_.finished_);
@@ -132,18 +132,21 @@ void ExerciseRun::settle(const Criterion& criterion, Verdict verdict) {
   finishPart();
 }
 
-void ExerciseRun::draw() {
+Curves ExerciseRun::curves() {
   const Workplace& workplace = grader_.workplace();
-  std::optional<Curves> curves;
-  if (!grader_.options().fresh) curves = keptCurves(workplace, grader_.records(), *candidate_, grader_.options());
-  if (!curves) {
-    ++grader_.started_;
-    curves = drawCurves(workplace, grader_.records(), *candidate_, grader_.options());
+  if (!grader_.options().fresh) {
+    if (auto kept = keptCurves(workplace, grader_.records(), *candidate_, grader_.options())) return *kept;
   }
+  ++grader_.started_;
+  return drawCurves(workplace, grader_.records(), *candidate_, grader_.options());
+}
+
+void ExerciseRun::draw() {
+  Curves curves = this->curves();
   {
     const std::lock_guard lock(mutex_);
-    graded_.figures = std::move(curves->svgs);
-    graded_.figuresNote = std::move(curves->note);
+    graded_.figures = std::move(curves.svgs);
+    graded_.figuresNote = std::move(curves.note);
   }
   finishPart();
 }

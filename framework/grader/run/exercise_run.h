@@ -24,6 +24,8 @@ class ExerciseRun : public std::enable_shared_from_this<ExerciseRun> {
   void build(Try attempt);
   void judge(std::size_t criterion, Try attempt);
   void draw();
+  /// The kept ones, or new ones.
+  Curves curves();
 
   /// The verdict that needs no test: a kept one, or that of a function that is known not to return.
   std::optional<Verdict> known(const Criterion& criterion, Try attempt);

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <ctime>
 #include <mutex>
+#include <set>
 
 namespace muelle::grader {
 
@@ -141,12 +142,15 @@ void Grader::addExercise(Pool& pool, const Manifest& manifest, const Sources* so
 void Grader::prune() const {
   objects_.prune(largestStore);
   records_.prune(largestStore);
+  removeAbandonedFolders(workplace_.work());
 }
 
 Grader openGrader(const Workplace& workplace, GradeOptions options, const std::vector<std::string>& only) {
   std::vector<Manifest> course;
   const std::vector<Manifest> all = readCourse(workplace.exercises());
-  for (const std::string& topic : only) course.push_back(findExercise(all, topic));
+  for (const std::string& topic : std::set<std::string>(only.begin(), only.end())) {  // named twice, it counts once
+    course.push_back(findExercise(all, topic));
+  }
   if (only.empty()) course = all;
   const auto unfinished = unfinishedExercises(workplace.binary);
   std::erase_if(course, [&](const Manifest& manifest) {

@@ -50,7 +50,7 @@ class Grader {
   /// Programs that this grader has started: compilers, tests, drawings. An unchanged regrade starts none.
   int started() const { return started_; }
 
-  /// Keeps the store below its bound.
+  /// Keeps the store below its bound, and removes what killed runs have left beside it.
   void prune() const;
 
  private:

@@ -80,7 +80,7 @@ Verdict runHiddenProgram(const Workplace& workplace, const Candidate& candidate,
 Verdict judgeOnce(const Workplace& workplace, const Candidate& candidate, const Criterion& criterion,
                   const GradeOptions& options, Look look) {
   try {
-    const TemporaryFolder folder(workplace.kept / "work");
+    const TemporaryFolder folder(workplace.work());
     std::vector<std::string> command = commandFor(workplace, candidate, options, look);
     command.insert(command.end(), {"--suite", criterion.suite});
     return runHiddenProgram(workplace, candidate, criterion.suite, std::move(command), folder.path());
@@ -125,10 +125,14 @@ bool isDoubtful(const Verdict& verdict) {
 
 std::optional<Verdict> keptVerdict(const Workplace& workplace, const Store& store, const Candidate& candidate,
                                    const Criterion& criterion, const GradeOptions& options) {
-  const std::string key = verdictKey(workplace, candidate.manifest, criterion, candidate.objectKey, options);
-  const std::optional<Verdict> verdict = readRecord(store.file(key, recordSuffix));
-  const bool belongs = verdict && verdict->topic == candidate.manifest.topic && verdict->suite == criterion.suite;
-  return belongs ? verdict : std::nullopt;
+  try {
+    const std::string key = verdictKey(workplace, candidate.manifest, criterion, candidate.objectKey, options);
+    const std::optional<Verdict> verdict = readRecord(store.file(key, recordSuffix));
+    const bool belongs = verdict && verdict->topic == candidate.manifest.topic && verdict->suite == criterion.suite;
+    return belongs ? verdict : std::nullopt;
+  } catch (const std::exception&) {  // a program that this machine cannot read: judging says so
+    return std::nullopt;
+  }
 }
 
 void keepVerdict(const Workplace& workplace, const Store& store, const Candidate& candidate, const Criterion& criterion,
@@ -154,17 +158,20 @@ Verdict judgeCriterion(const Workplace& workplace, const Store& store, const Can
 
 std::optional<Curves> keptCurves(const Workplace& workplace, const Store& store, const Candidate& candidate,
                                  const GradeOptions& options) {
-  const auto text = store.read(curvesKey(workplace, candidate.manifest, candidate.objectKey, options), curvesSuffix);
-  if (!text) return std::nullopt;
-  const nlohmann::json document = nlohmann::json::parse(*text, nullptr, false);
-  if (!document.is_object() || !document.contains("note") || !document.contains("svgs")) return std::nullopt;
-  return Curves{document["svgs"].get<std::vector<std::string>>(), document["note"].get<std::string>()};
+  try {
+    const auto text = store.read(curvesKey(workplace, candidate.manifest, candidate.objectKey, options), curvesSuffix);
+    if (!text) return std::nullopt;
+    const nlohmann::json document = nlohmann::json::parse(*text);
+    return Curves{document.at("svgs").get<std::vector<std::string>>(), document.at("note").get<std::string>()};
+  } catch (const std::exception&) {  // a disk has damaged them: they are drawn again
+    return std::nullopt;
+  }
 }
 
 Curves drawCurves(const Workplace& workplace, const Store& store, const Candidate& candidate,
                   const GradeOptions& options) {
   try {
-    const TemporaryFolder folder(workplace.kept / "work");
+    const TemporaryFolder folder(workplace.work());
     const fs::path figures = folder.path() / "figures";
     std::vector<std::string> command = commandFor(workplace, candidate, options, Look::First);
     command.insert(command.end(), {"--figures", figures.string()});

@@ -1,5 +1,6 @@
 #include "grader/run/keys.h"
 
+#include "base/errors.h"
 #include "base/file.h"
 #include "course/check/symbols.h"
 #include "grader/run/compile.h"
@@ -7,7 +8,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 #include <random>
 
 namespace muelle::grader {
@@ -33,6 +33,16 @@ std::string testingKey(const Workplace& workplace, const Manifest& manifest, con
                        const std::string& objectKey, const GradeOptions& options) {
   return digest({"verdict 2", objectKey, what, digestOf(workplace.hiddenProgram(manifest.topic)),
                  digestOf(workplace.host), digestOf(workplace.sanitisedHost), options.seed});
+}
+
+void makeSeed(const fs::path& file) {
+  std::random_device device;
+  fs::create_directories(file.parent_path());
+  const TemporaryFolder folder(file.parent_path());
+  const fs::path fresh = folder.path() / file.filename();
+  writeFile(fresh, fmt::format("{:08x}{:08x}{:08x}{:08x}", device(), device(), device(), device()), Durable::Yes);
+  std::error_code taken;  // by another grader that started with us: its seed is the one
+  fs::create_hard_link(fresh, file, taken);
 }
 
 }  // namespace
@@ -63,16 +73,14 @@ std::uint64_t inputSeed(const Manifest& manifest, const Sources& sources, const 
 
 std::string keptSeed(const Workplace& workplace) {
   const fs::path file = workplace.seedFile();
-  if (!fs::exists(file)) {
-    std::random_device device;
-    fs::create_directories(file.parent_path());
-    const fs::path fresh = fmt::format("{}.{}", file.string(), getpid());
-    writeFile(fresh, fmt::format("{:08x}{:08x}{:08x}{:08x}", device(), device(), device(), device()));
-    std::error_code taken;  // by another grader that started with us: its seed is the one
-    fs::create_hard_link(fresh, file, taken);
-    fs::remove(fresh);
+  try {
+    if (!fs::exists(file)) makeSeed(file);
+    return readFile(file);
+  } catch (const std::system_error& error) {
+    throw MachineFault(
+        fmt::format("cannot keep the seed of the inputs in {}: {}; mend that folder, or name another with MUELLE_KEPT",
+                    workplace.kept.string(), error.code().message()));
   }
-  return readFile(file);
 }
 
 }  // namespace muelle::grader

@@ -47,7 +47,7 @@ std::optional<std::string> Store::read(std::string_view key, std::string_view su
   if (!has(key, suffix)) return std::nullopt;
   std::error_code ignored;
   fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
-  return readFile(path);
+  return tryReadFile(path);
 }
 
 void Store::write(std::string_view key, std::string_view suffix, std::string_view content) const {

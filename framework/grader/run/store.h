@@ -9,7 +9,7 @@ namespace muelle::grader {
 
 /// What the grader keeps between runs, in files named by the key of everything that decided their content: compiled
 /// hand-ins, records, curves. Several processes may use it at once: a file appears whole or not at all, and whoever
-/// writes a key last writes the same.
+/// writes a key last writes the same. What a disk has damaged since is its reader's to find out: it is made again.
 class Store {
  public:
   explicit Store(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -18,7 +18,7 @@ class Store {
   std::filesystem::path file(std::string_view key, std::string_view suffix) const;
 
   bool has(std::string_view key, std::string_view suffix) const;
-  /// nullopt when it is not kept. Marks it as used.
+  /// nullopt when it is not kept, or this machine cannot read it any more. Marks it as used.
   std::optional<std::string> read(std::string_view key, std::string_view suffix) const;
   /// Throws std::runtime_error when it cannot be written (a full disk); nothing half-written stays.
   void write(std::string_view key, std::string_view suffix, std::string_view content) const;

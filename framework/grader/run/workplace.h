@@ -40,6 +40,7 @@ struct Workplace {
 
   std::filesystem::path objects() const { return kept / "objects"; }
   std::filesystem::path records() const { return kept / "records"; }
+  std::filesystem::path work() const { return kept / "work"; }  ///< a folder for each program that runs now
   std::filesystem::path coreLocks() const { return kept / "cores"; }
   std::filesystem::path seedFile() const { return kept / "seed"; }
 };

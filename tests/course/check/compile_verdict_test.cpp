@@ -53,6 +53,21 @@ TEST(CompileVerdict, ALimitIsNamed) {
   EXPECT_EQ(judgeCompilation({.signal = SIGXFSZ}, files, {}).message, "the compiled file is larger than 64 MiB");
 }
 
+TEST(CompileVerdict, WhatIsSeenToEndFromOutsideIsNeverTheStudents) {
+  for (const ToolRun& run : {ToolRun{.signal = SIGKILL}, ToolRun{.signal = SIGTERM}, ToolRun{.endedFromOutside = true},
+                             ToolRun{.words = "spring.cpp:6:10: error: half a wo", .endedFromOutside = true}}) {
+    for (const CompileVerdict& verdict :
+         {judgeCompilation(run, files, {}), judgeLink(run, files, contract, "spring.h", {})}) {
+      EXPECT_FALSE(verdict.isDecided);
+      EXPECT_TRUE(verdict.wasKilled);
+      EXPECT_TRUE(afterProbe(verdict, true).isOurs);
+    }
+  }
+  EXPECT_FALSE(afterProbe(judgeCompilation({.signal = SIGSEGV}, files, {}), true).isOurs);
+  const ToolRun atLimit{.signal = SIGKILL, .processorSeconds = 22.0};
+  EXPECT_FALSE(afterProbe(judgeCompilation(atLimit, files, {}), true).isOurs);
+}
+
 TEST(CompileVerdict, WhatWasKilledIsWorthOneMoreTry) {
   EXPECT_TRUE(compiled("g++: fatal error: Killed signal terminated program cc1plus\n").wasKilled);
   EXPECT_TRUE(judgeCompilation({.signal = SIGKILL}, files, {}).wasKilled);

@@ -33,6 +33,45 @@ TEST_F(Fault, ACompilerThatIsKilled) {
   expectOurs([] { return std::make_unique<Hunter>("cc1plus", SIGKILL); }, [] {});
 }
 
+/// Twice is no proof against the submission, whichever process of the compilation it was.
+TEST_F(Fault, AnyToolThatIsKilledTwice) {
+  const std::string driver = workplace_.compiler.filename();
+  for (const auto& [name, signal] :
+       std::map<std::string, int>{{"cc1plus", SIGKILL}, {"sh", SIGTERM}, {"watch", SIGKILL}, {driver, SIGTERM}}) {
+    SCOPED_TRACE(name);
+    for (const Sources* sources : {&honest(), &wrong()}) {
+      {
+        const Hunter hunter(name, signal, 2);
+        expectNoScore(grade(*sources));
+      }
+      expectUndisturbed(grade(*sources), *sources);
+      remove_all(workplace_.kept);
+    }
+  }
+}
+
+/// What ends so soon that the signal may come too late: no score, or the right one.
+TEST_F(Fault, AShortToolThatIsKilledTwice) {
+  for (const char* name : {"as", "nm", "collect2", "ld.mold", "mold", "ld"}) {
+    SCOPED_TRACE(name);
+    for (const Sources* sources : {&honest(), &wrong()}) {
+      {
+        const Hunter hunter(name, SIGKILL, 2);
+        expectNothingWrong(grade(*sources), *sources);
+      }
+      remove_all(workplace_.kept);
+    }
+  }
+}
+
+/// What a file makes its compiler say of a death is no death.
+TEST_F(Fault, AFileThatSpeaksOfADeathIsJudgedByItself) {
+  Sources sources = honest();
+  sources.begin()->second +=
+      "#line 1 \"g++: fatal error: Killed signal terminated program cc1plus\"\n#error compilation terminated.\n";
+  EXPECT_EQ(grade(sources).build.status, BuildOutcome::Status::CompileError);
+}
+
 TEST_F(Fault, ACompilerThatIsKilledOnceIsTriedAgainAtOnce) {
   for (const Sources* sources : {&honest(), &wrong()}) {
     const Hunter hunter("cc1plus", SIGKILL, 1);
@@ -108,17 +147,54 @@ TEST_F(Fault, NoLinker) {
       [this] { putCompilerBack(); });
 }
 
-/// A file that makes the compiler die each time is its author's: a known good one compiles at the same time.
+/// A file that makes the compiler crash each time is its author's: a known good one compiles at the same time.
 TEST_F(Fault, ACompilerThatDiesOfOneFileTwiceIsThatFilesFault) {
   putInCompilersPlace(
-      "for word in \"$@\"; do\n  if grep -q 'kills the compiler' \"$word\"; then kill -9 $$; fi\ndone\n"
-      "exec $compiler \"$@\"");
+      "for word in \"$@\"; do\n  if grep -q 'kills the compiler' \"$word\"; then\n"
+      "    ../tools/watch sh -c 'kill -SEGV $$'; exit 4\n  fi\ndone\nexec $compiler \"$@\"");
   Sources sources = honest();
   sources.begin()->second += "// kills the compiler\n";
   const GradedExercise graded = grade(sources);
   EXPECT_EQ(graded.build.status, BuildOutcome::Status::CompileError) << graded.build.message;
   for (const Criterion& criterion : graded.manifest.criteria) EXPECT_EQ(score(criterion, graded), 0.0);
   expectUndisturbed(grade(honest()), honest());
+}
+
+/// What a disk has made of a kept object is not loaded: it is built again, and the next run finds that.
+TEST_F(Fault, AKeptObjectThatIsDamaged) {
+  const auto damageAll = [this](std::uintmax_t bytes) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(workplace_.objects())) {
+      if (entry.path().extension() == ".so") resize_file(entry.path(), bytes);
+    }
+    remove_all(workplace_.records());
+  };
+  for (const Sources* sources : {&honest(), &wrong()}) {
+    expectUndisturbed(grade(*sources), *sources);
+    for (const std::uintmax_t bytes : {0U, 9000U, 1U << 20U}) {
+      SCOPED_TRACE(bytes);
+      damageAll(bytes);
+      expectUndisturbed(grade(*sources), *sources);
+      grade(*sources);
+      EXPECT_EQ(started(), 0) << "what was built again is kept";
+    }
+  }
+}
+
+/// Whatever is kept: a file whose reading fails (as address 0 of a process does) is made again.
+TEST_F(Fault, AKeptFileThatCannotBeRead) {
+  for (const Sources* sources : {&honest(), &wrong()}) {
+    grade(*sources, SandboxChoice::Automatic, true);
+    for (const auto& folder : {workplace_.objects(), workplace_.records()}) {
+      for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        if (!entry.is_regular_file()) continue;
+        remove(entry.path());
+        create_symlink("/proc/self/mem", entry.path());
+      }
+    }
+    expectUndisturbed(grade(*sources, SandboxChoice::Automatic, true), *sources);
+    grade(*sources, SandboxChoice::Automatic, true);
+    EXPECT_EQ(started(), 0);
+  }
 }
 
 /// From no room at all to so much that the object is still built and a record is not.

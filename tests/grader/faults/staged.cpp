@@ -29,15 +29,16 @@ StagedFault::StagedFault() : exercise_(readCourse(workplace_.exercises()).front(
   wrong_ = sourcesIn(firstIn(corpus / "wrong"), exercise_);
 }
 
-GradedExercise StagedFault::grade(const Sources& sources, SandboxChoice sandbox) {
-  return grade(sources, makeSandbox(sandbox), sandbox);
+GradedExercise StagedFault::grade(const Sources& sources, SandboxChoice sandbox, bool withCurves) {
+  return grade(sources, makeSandbox(sandbox), sandbox, withCurves);
 }
 
-GradedExercise StagedFault::grade(const Sources& sources, std::unique_ptr<Sandbox> sandbox, SandboxChoice choice) {
+GradedExercise StagedFault::grade(const Sources& sources, std::unique_ptr<Sandbox> sandbox, SandboxChoice choice,
+                                  bool withCurves) {
   GradeOptions options;
   options.seed = "staged faults";
   options.sandbox = choice;
-  options.withCurves = false;
+  options.withCurves = withCurves;
   Grader grader(workplace_, {exercise_}, options, std::move(sandbox));
   Pool pool(2);
   GradedExercise result;

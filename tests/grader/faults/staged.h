@@ -16,8 +16,10 @@ class StagedFault : public ::testing::Test {
   StagedFault();
 
   /// Grades once, as a command of its own would: what earlier ones have kept is found.
-  GradedExercise grade(const Sources& sources, SandboxChoice sandbox = SandboxChoice::Automatic);
-  GradedExercise grade(const Sources& sources, std::unique_ptr<Sandbox> sandbox, SandboxChoice choice);
+  GradedExercise grade(const Sources& sources, SandboxChoice sandbox = SandboxChoice::Automatic,
+                       bool withCurves = false);
+  GradedExercise grade(const Sources& sources, std::unique_ptr<Sandbox> sandbox, SandboxChoice choice,
+                       bool withCurves = false);
   /// Programs that the last grading has started.
   int started() const { return started_; }
 

@@ -39,6 +39,15 @@ TEST_F(StoreTest, ForgetsFirstWhatWasNotUsedForLongest) {
   EXPECT_EQ(store_.prune(2 * 1024), 0U);
 }
 
+TEST_F(StoreTest, WhatCannotBeReadIsNotKept) {
+  store_.write("abcd", ".curves", "x");
+  std::filesystem::remove(store_.file("abcd", ".curves"));
+  std::filesystem::create_symlink("/proc/self/mem", store_.file("abcd", ".curves"));  // opened well, read never
+  EXPECT_EQ(store_.read("abcd", ".curves"), std::nullopt);
+  store_.write("abcd", ".curves", "y");
+  EXPECT_EQ(store_.read("abcd", ".curves"), "y");
+}
+
 TEST_F(StoreTest, OfNoFolderIsEmpty) {
   const Store nowhere(folder_.path() / "never" / "made");
   EXPECT_FALSE(nowhere.has("abcd", ""));
