@@ -110,7 +110,7 @@ void requireOwn(const fs::path& folder, const fs::path& submission) {
 
 void requireOutside(const fs::path& folder, const fs::path& submission) {
   if (!fs::is_directory(submission)) return;
-  if (!isInside(withoutEndingSlash(fs::weakly_canonical(folder)), fs::canonical(submission))) return;
+  if (!isInside(withoutEndingSlash(fs::weakly_canonical(fs::absolute(folder))), fs::canonical(submission))) return;
   throw std::invalid_argument(
       fmt::format("the reports would be written into {}, where the next run reads them as handed in: give a folder "
                   "outside it with --out",

@@ -54,6 +54,7 @@ TEST_F(ReportFolder, IsNeverInWhatIsHandedIn) {
     EXPECT_NO_THROW(requireOutside(root_ / out, root_ / "class")) << out;
   }
   EXPECT_NO_THROW(requireOutside(root_, root_ / "hand-in.zip"));
+  EXPECT_THROW(requireOutside("out", "."), std::invalid_argument) << "the default folder, typed in the class";
 }
 
 TEST_F(ReportFolder, OfALinkThatLeadsOutGetsNothing) {
