@@ -12,17 +12,6 @@ endif()
 # Assertions stay on: Eigen's range checks are part of what the course teaches.
 set(CMAKE_CXX_FLAGS_RELEASE "-O2")
 
-# The small sources of a target are compiled eight at a time: half of what one takes goes into what all of them include.
-# Each compiles alone, too (preset plain). For work on a few sources: -D CMAKE_UNITY_BUILD=OFF.
-set(CMAKE_UNITY_BUILD ON CACHE BOOL "Compile the sources of a target eight at a time")
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
-
-# Not where everyone adds sources (exercises, figures), whose names need not differ from each other's, nor where large
-# templates take the time. Call it before targets are added.
-macro(muelle_compile_one_by_one)
-  set(CMAKE_UNITY_BUILD OFF)
-endmacro()
-
 option(MUELLE_ASAN "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 
 # For programs that compute little: -O1 compiles faster. With sanitizers nothing is optimised: they take twice as long to
