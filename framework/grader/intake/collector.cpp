@@ -2,6 +2,7 @@
 
 #include "base/text/nearest.h"
 #include "base/text/printable.h"
+#include "course/check/handed_out.h"
 #include "course/check/source_text.h"
 #include "grader/intake/file_names.h"
 #include "grader/intake/read_file.h"
@@ -106,7 +107,7 @@ void Collector::file(const RelativePath& path, const std::function<Content()>& r
   if (isHidden(path)) return;
   if (!wantedBy(path).empty()) return offer(path, read);
   if (isHandedOut(path)) {
-    ++handedOut_;
+    handedOut(path, read);
   } else {
     if (isSourceName(path.back()) && !isHandedOutSource(path.back())) strays_.push_back(path);
     ignore(path, "");
@@ -181,6 +182,14 @@ bool Collector::isHandedOut(const RelativePath& path) const {
   const std::string& name = path.back();
   return name == topic + ".h" || name == "README.md" || name == "README.es.md" || name == "figure.svg" ||
          name == "exercise.toml" || isHandedOutSource(name);
+}
+
+void Collector::handedOut(const RelativePath& path, const std::function<Content()>& read) {
+  ++handedOut_;
+  const std::string topic = topicOf(parentOf(path));
+  if (path.back() != topic + ".h" || !isAskedFor(topic)) return;
+  const Content content = read();
+  if (content.refusal.empty() && content.fault.empty()) contracts_[topic].insert(handedOutHash(content.bytes));
 }
 
 std::vector<std::string> Collector::notes(const Submission& submission) const {
@@ -324,6 +333,7 @@ Submission Collector::finish(std::string name) const {
     if (isAskedFor(manifest.topic)) say(manifest, submission);
   }
   if (!submission.missing.empty() && !broken_.empty()) throw std::runtime_error(broken_.front());
+  submission.contracts = contracts_;
   submission.notes = notes(submission);
   submission.hash = hashOf(submission);
   return submission;

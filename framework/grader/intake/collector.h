@@ -1,8 +1,10 @@
 #pragma once
 #include "grader/intake/intake.h"
 
+#include <cstdint>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -85,6 +87,8 @@ class Collector {
   /// Also counts it.
   bool isHidden(const RelativePath& path);
   bool isHandedOut(const RelativePath& path) const;
+  /// Counts it, and keeps what a contract's text comes to.
+  void handedOut(const RelativePath& path, const std::function<Content()>& read);
 
   void settle(const Key& key, const Slot& slot, Submission& submission) const;
   void say(const Manifest& manifest, Submission& submission) const;
@@ -104,6 +108,7 @@ class Collector {
   std::vector<std::string> notes_;
   /// (folder, reason) -> names ignored there
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> ignored_;
+  std::map<std::string, std::set<std::uint64_t>> contracts_;  ///< as in Submission
   std::size_t seen_ = 0;
   std::size_t handedOut_ = 0;
   std::size_t hidden_ = 0;

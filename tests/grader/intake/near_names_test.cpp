@@ -1,3 +1,4 @@
+#include "course/check/handed_out.h"
 #include "tools.h"
 
 #include <fmt/format.h>
@@ -36,6 +37,14 @@ TEST_F(HandInNames, TheExactOneGoesBeforeANearOneInABetterPlace) {
   EXPECT_EQ(spring(s), "exact");
   EXPECT_FALSE(s.taken.contains("spring_1d"));
   EXPECT_TRUE(isNoted(s, "ignored in spring_1d/: spring_1d (1).cpp (another one counts)"));
+}
+
+TEST_F(HandInNames, AContractIsNotTakenButItsHashIs) {
+  folder_.write("spring_1d/spring_1d.cpp", "one");
+  folder_.write("spring_1d/spring_1d.h", "double f();\r\n");
+  const Submission s = take();
+  EXPECT_EQ(s.contracts.at("spring_1d"), std::set<std::uint64_t>{handedOutHash("double f();\n")});
+  EXPECT_FALSE(s.contracts.contains("triangle"));
 }
 
 TEST_F(HandInNames, TwoNearOnesThatDifferAreBothNamed) {
