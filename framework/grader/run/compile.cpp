@@ -2,6 +2,7 @@
 
 #include "base/build_paths.h"
 #include "course/check/compile_rules.h"
+#include "course/check/dependencies.h"
 #include "grader/run/digest.h"
 #include "grader/run/shared_prelude.h"
 
@@ -24,6 +25,9 @@ constexpr const char* linkFlags = "-shared -Wl,-Bsymbolic,-z,now,-z,noexecstack,
 constexpr int compileFailed = 10;
 constexpr int linkFailed = 11;
 constexpr int symbolsFailed = 12;
+
+/// Between what was read and the symbols.
+constexpr const char* symbolsFollow = "-- symbols";
 
 /// A compiler that the sandbox does not have under its own name is handed over as a file.
 bool isOfTheSystem(const fs::path& program) { return program.string().starts_with("/usr/"); }
@@ -101,22 +105,32 @@ std::vector<VisibleFile> compilersView(const Workplace& workplace, const Manifes
 }
 
 /// Runs in the sandbox's root folder, which only some backends can make "/". Nothing of the student's runs here, only
-/// compiler, nm and linker do; the product leaves by stdout, the list of symbols by descriptor 3.
+/// compiler, nm and linker do; the product leaves by stdout, the lists of what was read and of symbols by descriptor 3.
 std::string compileScript(const Workplace& workplace, const Sources& sources, SandboxChoice sandbox, Build build) {
-  std::string files;
-  for (const auto& [name, content] : sources) files += " ../submission/" + name;
   const bool isSanitised = build == Build::Sanitised;
   const std::string compiler = insideOf(workplace.compiler);
-  return fmt::format(
-      "cd tmp && {0} {1} {2} -I../contract -I../framework -isystem ../eigen -c{3} || exit {4}\n"
-      "nm -P *.o >&3 || exit {5}\n"
-      "{0} {6}{10} {7} *.o {8} -o submission.so || exit {9}\n"
-      "cat submission.so\n",
-      compiler, joined(isSanitised ? sanitizedCompileFlags() : studentCompileFlags()),
-      isSanitised ? "" : "-I../prelude -include prelude.h", files, compileFailed, symbolsFailed, linkFlags,
-      joined(linkFlagsIn(sandbox, isSanitised)),
-      build == Build::Probe ? "" : "-Wl,--whole-archive ../glue.a -Wl,--no-whole-archive", linkFailed,
-      isSanitised ? "" : " -Wl,-z,defs");  // the host has the sanitizers' own symbols
+  std::string script = "cd tmp\n";
+  for (const auto& [name, content] : sources) {
+    const std::string object = fs::path(name).stem().string() + ".o";
+    script +=
+        fmt::format("{} {} {} -I../contract -I../framework -isystem ../eigen {} -c ../submission/{} -o {} || exit {}\n",
+                    compiler, joined(isSanitised ? sanitizedCompileFlags() : studentCompileFlags()),
+                    isSanitised ? "" : "-I../prelude -include prelude.h", joined(dependencyFlags(object)), name, object,
+                    compileFailed);
+    script += fmt::format("cat {} >&3 || exit {}\n", joined(dependencyLists(object)), symbolsFailed);
+  }
+  return script + fmt::format(
+                      "echo '{0}' >&3; nm -P *.o >&3 || exit {1}\n"
+                      "{2} {3}{4} {5} *.o {6} -o submission.so || exit {7}\n"
+                      "cat submission.so\n",
+                      symbolsFollow, symbolsFailed, compiler, linkFlags,
+                      isSanitised ? "" : " -Wl,-z,defs",  // the host has the sanitizers' own symbols
+                      joined(linkFlagsIn(sandbox, isSanitised)),
+                      build == Build::Probe ? "" : "-Wl,--whole-archive ../glue.a -Wl,--no-whole-archive", linkFailed);
+}
+
+CompilePlace placeInSandbox() {
+  return {"/tmp", {"/submission", "/contract", "/framework/harness", "/eigen", "/prelude"}};
 }
 
 std::string compilerIdentity(const Workplace& workplace) {
@@ -138,7 +152,10 @@ Compilation compile(const Workplace& workplace, const Manifest& manifest, const 
   capture.reportBytes = symbolBytes;
   compilation.run = sandbox.run(confinementOf(workplace, manifest, sources, sandbox.choice(), build), capture);
   compilation.stage = stageOf(compilation.run);
-  compilation.symbols = compilation.run.report;
+  const std::string& report = compilation.run.report;
+  const std::size_t end = report.find(std::string(symbolsFollow) + "\n");
+  compilation.dependencies = report.substr(0, end);
+  if (end != std::string::npos) compilation.symbols = report.substr(end);
   return compilation;
 }
 

@@ -114,6 +114,29 @@ TEST_F(Check, ANumberThatIsOffArrivesAsANumber) {
   EXPECT_TRUE(report.failures[0].messages.empty());
 }
 
+TEST_F(Check, AFileThatTheGraderHasNotIsNotFoundHereEither) {
+  writeFile(folder_.path() / "helpers.h", "inline double one() { return 1; }\n");
+  const std::string beside = (folder_.path() / "helpers.h").string();
+  for (const std::string& included :
+       {std::string("helpers.h"), beside, std::string("figures/write.h"), std::string("harness/../figures/write.h"),
+        std::string("public_test.cpp"), std::string("fmt/format.h")}) {
+    const StudentProgram program = build("#include \"" + included + "\"\n" + twice + entry);
+    EXPECT_EQ(program.outcome, Outcome::Compile) << included;
+    EXPECT_NE(program.message.find(included), std::string::npos) << program.message;
+  }
+  EXPECT_EQ(build("#include <bits/stdc++.h>\n#include <Eigen/Dense>\n#include <sys/types.h>\n" + twice + entry).message,
+            "");
+}
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__APPLE__)
+TEST_F(Check, AFileThatTheAssemblerTakesInIsNamed) {
+  const StudentProgram program =
+      build("asm(\".section .rodata\\nfoo: .incbin \\\"/etc/passwd\\\"\\n.previous\");\n" + twice + entry);
+  EXPECT_EQ(program.outcome, Outcome::Compile);
+  EXPECT_NE(program.message.find("/etc/passwd"), std::string::npos) << program.message;
+}
+#endif
+
 TEST(ShowFailure, LeavesTheSourceOutOnlyUnderItsCall) {
   FailedTest failure;
   Mismatch mismatch;
