@@ -1,9 +1,16 @@
 #include "course/check/symbols.h"
 
+#include "base/text/printable.h"
+
+#include <cxxabi.h>
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstdlib>
+#include <memory>
 #include <span>
+#include <system_error>
 
 namespace muelle {
 
@@ -474,6 +481,39 @@ std::string firstOf(const std::vector<std::string>& symbols, std::span<const std
   return found == symbols.end() ? "" : *found;
 }
 
+/// Of initialised, zeroed, constant, common and shared data.
+bool isData(char kind) { return std::string_view("BbDdRrCGgSsuVv").find(kind) != std::string_view::npos; }
+
+/// The last of "kind value size", which is hexadecimal; 0 where there is none.
+std::size_t sizeIn(std::string_view fields) {
+  const std::size_t blank = fields.rfind(' ');
+  std::size_t bytes = 0;
+  if (blank == std::string_view::npos) return 0;
+  const auto [end, error] = std::from_chars(fields.data() + blank + 1, fields.data() + fields.size(), bytes, 16);
+  return error == std::errc() ? bytes : 0;
+}
+
+/// "lumpedMass(double, int)::table" of its symbol.
+std::string readableName(const std::string& symbol) {
+  int status = 0;
+  const std::unique_ptr<char, decltype(&std::free)> name(abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status),
+                                                         &std::free);
+  return status == 0 && name ? name.get() : symbol;
+}
+
+/// Of the 1 GiB of address space that a program has in check and in grade, what its static data may take.
+constexpr std::size_t mostStaticData = 512UL << 20U;
+
+/// What a table that does not fit is called, and how large it is; "" when all of them fit.
+std::string oversize(const std::vector<StaticData>& data) {
+  double total = 0;  // the sizes are the submission's: no sum of integers
+  for (const StaticData& item : data) total += static_cast<double>(item.bytes);
+  if (total <= static_cast<double>(mostStaticData)) return "";
+  const StaticData& largest = *std::ranges::max_element(data, {}, &StaticData::bytes);
+  return fmt::format("{} takes {} MiB of memory before anything runs; all static variables together may take {}",
+                     printableLine(readableName(largest.symbol)), largest.bytes >> 20U, mostStaticData >> 20U);
+}
+
 void addOnce(std::vector<std::string>& names, std::string_view name) {
   if (std::ranges::find(names, name) == names.end()) names.emplace_back(name);
 }
@@ -496,6 +536,7 @@ Symbols readSymbols(std::string_view nmText) {
     const bool isGlobal = kind >= 'A' && kind <= 'Z';
     if (isUndefined) addOnce(used, name);
     if (!isUndefined && isGlobal) addOnce(symbols.defined, name);
+    if (isData(kind)) symbols.data.push_back({std::string(name), sizeIn(line.substr(blank + 1))});
   }
   for (const std::string& name : used) {
     if (std::ranges::find(symbols.defined, name) == symbols.defined.end()) symbols.undefined.push_back(name);
@@ -510,6 +551,7 @@ std::string symbolRules() {
   };
   addAll(parts);
   addAll(functions);
+  rules += fmt::format("{}\n", mostStaticData);
   for (const std::string_view name : allocators) rules += fmt::format("{}\n", name);
   for (const std::string_view name : ofTheCourse) rules += fmt::format("{}\n", name);
   for (const std::string_view name : ofSanitizers) rules += fmt::format("{}\n", name);
@@ -528,6 +570,9 @@ SymbolVerdict judgeSymbols(const Symbols& symbols) {
   }
   if (const std::string_view name = replacedAllocator(symbols.defined); !name.empty()) {
     return {Outcome::Forbidden, fmt::format("it replaces {} for the whole program: leave it out", name)};
+  }
+  if (const std::string what = oversize(symbols.data); !what.empty()) {
+    return {Outcome::Crash, "it does not fit into memory: " + what};
   }
   for (const std::string& symbol : symbols.undefined) {
     if (const Unneeded* found = unneeded(symbol)) {

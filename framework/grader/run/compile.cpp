@@ -71,7 +71,12 @@ Confinement confinementOf(const Workplace& workplace, const Manifest& manifest, 
   confinement.renamedFolders[build_paths::eigen] = "/eigen";
   confinement.scratchBytes = scratchBytes;
   confinement.limits.addressSpace = workplace.limits.memory;
-  confinement.limits.fileSize = scratchBytes;
+  confinement.limits.fileSize = workplace.limits.product;
+  // A copy of the precompiled header is written under the same limit.
+  if (const auto copy = std::ranges::find(confinement.files, workplace.prelude(), &VisibleFile::source);
+      copy != confinement.files.end()) {
+    confinement.limits.fileSize = std::max<std::size_t>(workplace.limits.product, fs::file_size(copy->source));
+  }
   confinement.limits.cpuSeconds = static_cast<unsigned>(workplace.limits.processorTime.count());
   return confinement;
 }

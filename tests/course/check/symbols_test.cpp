@@ -96,6 +96,16 @@ TEST(Symbols, TheProgramsMemoryIsNotReplaced) {
             Outcome::Passed);
 }
 
+TEST(Symbols, ATableThatDoesNotFitIsNamed) {
+  const SymbolVerdict verdict = judge("table B 0 47868c00\n_Z4massd T 0 8\n");
+  EXPECT_EQ(verdict.outcome, Outcome::Crash);
+  EXPECT_EQ(verdict.message,
+            "it does not fit into memory: table takes 1144 MiB of memory before anything runs; all static variables "
+            "together may take 512");
+  EXPECT_NE(judge("_ZL5table b 0 ffffffffffffffff\n_ZL5other b 0 ffffffffffffffff\n").outcome, Outcome::Passed);
+  EXPECT_EQ(judge("_ZL5table b 0 10000000\n_Z4massd T 0 80000000\n").outcome, Outcome::Passed);
+}
+
 TEST(Symbols, WhatComputingNeedsIsAllowed) {
   EXPECT_EQ(judge("_ZSt4cout U\nprintf U\nputs U\nabort U\nexit U\nmalloc U\nfree U\nmemcpy U\n_Znwm U\n_ZdlPvm U\n"
                   "__cxa_atexit U\n_ZNSt8ios_base4InitC1Ev U\nstderr U\nfprintf U\nclock U\ntime U\nrand U\n"
