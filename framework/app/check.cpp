@@ -55,7 +55,7 @@ class Check {
 
   /// Prints the verdict, then draws; true when everything passes.
   bool run() {
-    fmt::print("{}", sayChanged(changedHandedOut(build_paths::source, exercise_.topic)));
+    nameChanged();
     if (compilesWithClang()) {
       fmt::print("{}\n", dim(fmt::format("compiled with {}; the course is graded with g++", build_paths::compiler)));
     }
@@ -77,6 +77,13 @@ class Check {
   }
 
  private:
+  /// What is unfinished for lack of such a file has been named before any command.
+  void nameChanged() const {
+    if (unfinishedExercises(build_paths::binary).contains(exercise_.topic)) return;
+    fmt::print("{}", sayChanged(changedHandedOut(build_paths::source, exercise_.topic)));
+    std::fflush(stdout);
+  }
+
   void printVerdict(const TestReport& report, const StudentProgram& program) const {
     if (report.allPassed()) {
       fmt::print("{} {}: all {} public tests pass\n", green("✓"), bold(exercise_.topic), report.total);
@@ -165,8 +172,19 @@ int checkCourse(const std::vector<Manifest>& course, const CheckOptions& options
   return allPass ? 0 : 1;
 }
 
+/// A manifest that cannot be read may be one that was changed: then that is said first.
+std::vector<Manifest> readHandedOutCourse() {
+  try {
+    return readCourse(checkFolders().exercises);
+  } catch (const std::exception&) {
+    fmt::print("{}", sayChanged(changedHandedOut(build_paths::source)));
+    std::fflush(stdout);
+    throw;
+  }
+}
+
 int check(const CheckOptions& options) {
-  const std::vector<Manifest> course = readCourse(checkFolders().exercises);
+  const std::vector<Manifest> course = readHandedOutCourse();
   const bool isOne = !options.topic.empty() || !options.file.empty();
   return isOne ? checkOne(course, options) : checkCourse(course, options);
 }

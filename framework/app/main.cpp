@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "base/build_paths.h"
 #include "base/errors.h"
+#include "course/check/handed_out.h"
 #include "course/unfinished.h"
 
 #include <cstdio>
@@ -30,6 +31,8 @@ constexpr AddCommand commands[] = {
 /// Whatever is asked for, an author is told what is still to be written.
 void nameUnfinished() {
   for (const auto& [topic, files] : muelle::unfinishedExercises(muelle::build_paths::binary)) {
+    // A student has deleted something of it.
+    std::fputs(muelle::sayChanged(muelle::changedHandedOut(muelle::build_paths::source, topic)).c_str(), stderr);
     std::fputs(("muelle: " + muelle::sayUnfinished(topic, files) + "\n").c_str(), stderr);
   }
 }

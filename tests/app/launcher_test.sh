@@ -85,6 +85,31 @@ wait 2>/dev/null
 [[ $(grep -c '^ran number' "$scratch/said") -ge 14 ]] || complain "some have not run: $(cat "$scratch/said")"
 [[ ! -e "$folder/build/overlaps" ]] || complain "two have built at the same time"
 
+# A build that fails: first what was handed out and is no longer as it was, then the first error, not all of the log.
+mkdir -p "$folder/framework/course"
+printf 'double f();\r\n' >"$folder/kept.h"
+printf 'double g()\n' >"$folder/changed.h"
+printf '%s\n' "30abe756add38d78 kept.h" "0123456789abcdef changed.h" "0123456789abcdef gone file.h" \
+  >"$folder/framework/course/handed_out.txt"
+cp "$scratch/tools/ninja" "$scratch/ninja"
+cat >"$scratch/tools/ninja" <<'END'
+#!/usr/bin/env bash
+for ((i = 0; i < 500; ++i)); do echo "[$i/500] Building"; done
+echo "changed.h:1:10: error: expected ';'"
+for ((i = 0; i < 5000; ++i)); do echo "note: in expansion of macro"; done
+exit 1
+END
+printed="$("$folder/muelle" list 2>&1 </dev/null)"
+status=$?
+cp "$scratch/ninja" "$scratch/tools/ninja"
+[[ $status -eq 2 ]] || complain "a build that fails ends with $status"
+[[ $printed == "muelle: changed.h is not as it was handed out"*"muelle: gone file.h is not as"*"error: expected ';'"* ]] ||
+  complain "a build that fails names what has changed first: ${printed:0:2000}"
+[[ $printed != *kept.h* ]] || complain "a file as it was handed out, but for carriage returns, is named"
+[[ $(wc -l <<<"$printed") -le 30 && $printed == *muelle.log ]] ||
+  complain "the words of a build that fails are cut: ${printed:0:2000}"
+rm -r "$folder/framework"
+
 # A folder that cannot be written. Root can write everywhere, so this takes another user.
 refused() {
   local text="$1" printed

@@ -1,5 +1,6 @@
 #include "course/check/crash_report.h"
 
+#include "course/check/fault_sentences.h"
 #include "course/testing/call_record.h"
 
 #include <fcntl.h>
@@ -78,22 +79,15 @@ const char* runningFunction() {
   sendAndEnd(subject, sentence, outcome);
 }
 
-/// A fault just below the stack's end is an overflow; a big local variable may jump over the guard page by far.
-bool isBelowStack(const void* address) {
-  const auto at = reinterpret_cast<std::uintptr_t>(address);
-  constexpr std::uintptr_t slack = 1U << 20U;
-  const std::uintptr_t end = stackTop - stackLimit;
-  return at < end + slack && at + 16 * slack > end;
-}
-
 void onSignal(int signal, siginfo_t* info, void*) {
   switch (signal) {
     case SIGSEGV:
     case SIGBUS:
-      sayAndEnd(isBelowStack(info->si_addr) ? "called itself without end: stack overflow"
-                                            : "used memory that is not its own: an index or a pointer is wrong");
+      sayAndEnd(isStackOverflow(info->si_addr, stackTop, stackLimit)
+                    ? stackOverflowSentence
+                    : "used memory that is not its own: an index or a pointer is wrong");
     case SIGFPE:
-      sayAndEnd("divided an integer by zero");
+      sayAndEnd(info->si_code == FPE_INTDIV ? "divided an integer by zero" : trapSentence);
     case SIGILL:
     case SIGTRAP:
       sayAndEnd("ran into nowhere: does every way through it return a value?");
@@ -147,6 +141,7 @@ void onTerminate() {
     } catch (const EigenMisuse& error) {
       sendAndEnd("", error.what());
     } catch (const std::exception& error) {
+      if (error.what() == nullptr) sayAndEnd(sentence);
       std::strncat(sentence, ": ", 3);
       std::strncat(sentence, error.what(), 500);
     } catch (...) {

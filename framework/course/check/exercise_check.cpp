@@ -248,7 +248,7 @@ std::string showFailure(const FailedTest& failure) {
   }
   for (const std::string& message : failure.messages) {
     if (shown++ >= most) break;
-    text += indented(message + "\n", "    ");
+    text += indented(cutText(message, 12, 2000) + "\n", "    ");
   }
   return printableText(text);
 }

@@ -49,19 +49,26 @@ std::string handedOutList(const fs::path& checkout) {
   return list;
 }
 
-std::vector<std::string> changedHandedOut(const fs::path& checkout, std::string_view topic) {
+std::vector<std::string> changedHandedOut(const fs::path& checkout) {
   std::vector<std::string> changed;
   if (!fs::exists(checkout / listName)) return changed;
   std::istringstream list(readFile(checkout / listName));
-  const std::string folder = fmt::format("exercises/{}/", topic);
   for (std::string line; std::getline(list, line);) {
     if (line.ends_with('\r')) line.pop_back();
     const std::size_t blank = line.find(' ');
     if (blank == std::string::npos) continue;
     const std::string file = line.substr(blank + 1);
-    if (!file.starts_with("framework/harness/") && !file.starts_with(folder)) continue;
     if (!fs::exists(checkout / file) || lineFor(checkout, file) != line + "\n") changed.push_back(file);
   }
+  return changed;
+}
+
+std::vector<std::string> changedHandedOut(const fs::path& checkout, std::string_view topic) {
+  std::vector<std::string> changed = changedHandedOut(checkout);
+  const std::string folder = fmt::format("exercises/{}/", topic);
+  std::erase_if(changed, [&folder](const std::string& file) {
+    return !file.starts_with("framework/harness/") && !file.starts_with(folder);
+  });
   return changed;
 }
 

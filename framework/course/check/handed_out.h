@@ -23,6 +23,9 @@ std::string handedOutList(const std::filesystem::path& checkout);
 /// Empty when the checkout has no list.
 std::vector<std::string> changedHandedOut(const std::filesystem::path& checkout, std::string_view topic);
 
+/// The same of the harness and every exercise.
+std::vector<std::string> changedHandedOut(const std::filesystem::path& checkout);
+
 /// "FILE is not as it was handed out: ...", a line for each; "" when there is none.
 std::string sayChanged(const std::vector<std::string>& changed);
 

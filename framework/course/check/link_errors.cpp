@@ -80,6 +80,13 @@ std::string eigenMember(std::string_view name) {
   return std::string(rest.substr(0, rest.find_first_of("<(")));
 }
 
+/// Whether the function that begins in that line, from 1, is inline.
+bool isInline(std::string_view text, int number) {
+  for (int i = 1; i < number; ++i) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  const std::string_view before = text.substr(0, std::min(text.find('('), text.find('\n')));
+  return before.starts_with("inline ") || contains(before, " inline ");
+}
+
 /// One missing function.
 std::string explainMissing(const std::string& name, const std::vector<StudentFile>& files, std::string_view contract,
                            std::string_view contractName) {
@@ -98,6 +105,10 @@ std::string explainMissing(const std::string& name, const std::vector<StudentFil
     std::vector<std::string> names;
     for (const NamedLine& function : functionsIn(file.text)) {
       if (function.name == name) {
+        if (isInline(file.text, function.line)) {
+          return text + fmt::format("      = {}:{} is inline: nothing outside the file can call it; remove inline\n",
+                                    file.name, function.line);
+        }
         return text + fmt::format(
                           "      = {}:{} has the name, but other argument types (const and & count), static, or "
                           "a namespace around it\n",
@@ -160,7 +171,12 @@ std::string explainLinkErrors(std::string_view linkerText, const std::vector<Stu
       if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     }
   }
-  for (const std::string& name : names) text += explainMissing(name, files, contract, contractName);
+  // The first few are enough to mend, as with errors of the compiler.
+  constexpr std::size_t most = 3;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
+    text += explainMissing(names[i], files, contract, contractName);
+  }
+  if (names.size() > most) text += fmt::format("and {} more that are missing\n", names.size() - most);
   return text.empty() ? printableText(cutText(linkerText, 10, 2000)) : printableText(text);
 }
 

@@ -11,6 +11,7 @@
 #include "course/check/outcome.h"
 #include "course/check/report_line.h"
 #include "course/check/standard_message.h"
+#include "course/check/thrown_sentence.h"
 #include "course/testing/call_record.h"
 #include "course/testing/common_mistake.h"
 #include "course/testing/mismatch_text.h"
@@ -19,8 +20,10 @@
 #include "harness/demo.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <string>
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -85,13 +88,13 @@ class ReportingListener : public testing::EmptyTestEventListener {
   static std::string withoutExceptionPhrase(const std::string& message) {
     const std::string& call = CallRecord::lastCall();
     const std::string function = call.empty() ? "the test" : call.substr(0, call.find('('));
-    if (message.starts_with("Unknown C++ exception")) return function + " threw something that is no std::exception";
+    if (message.starts_with("Unknown C++ exception")) return function + " " + thrownSentence("");
     const std::string before = "C++ exception with description \"";
     const std::size_t end = message.rfind("\" thrown in");
     if (!message.starts_with(before) || end == std::string::npos) return message;
     const std::string what = message.substr(before.size(), end - before.size());
     if (what == lastMisuse()) return what;
-    return function + " threw an exception: " + what;
+    return function + " " + thrownSentence(what);
   }
 
  public:
@@ -129,7 +132,7 @@ int drawDemo(const std::string& folder) {
       ReportingListener::report("figure", figure.id() + ".svg");
     }
   } catch (const std::exception& error) {
-    ReportingListener::report("crash", error.what());
+    ReportingListener::report("crash", "the demo " + thrownSentence(textOf(error)));
     return 1;
   }
   return 0;
@@ -172,5 +175,8 @@ int main(int argc, char** argv) {
   const bool drawsDemo = argc == 3 && std::string(argv[1]) == "demo";
   const int status = drawsDemo ? muelle::drawDemo(argv[2]) : muelle::runTests(argc, argv);
   muelle::ReportingListener::report("done", "");
-  return status;
+  std::cout.flush();
+  std::fflush(stdout);
+  // As the grader's worker ends: what the student's destructors would do after the last answer costs nothing.
+  _exit(status);
 }

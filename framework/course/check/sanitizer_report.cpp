@@ -1,5 +1,7 @@
 #include "course/check/sanitizer_report.h"
 
+#include "course/check/fault_sentences.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
@@ -35,7 +37,7 @@ constexpr auto kinds = std::to_array<Kind>({
     {"heap-buffer-overflow", beyondMemory},
     {"container-overflow", beyondMemory},
     {"global-buffer-overflow", "reads or writes beyond the end of a global array or constant"},
-    {"stack-overflow", "ran out of stack: does it call itself without end, or hold a huge local array?"},
+    {"stack-overflow", stackOverflowSentence},
     {"requested allocation size", tooMuch},
     {"allocation-size-too-big", tooMuch},
     {"calloc-overflow", tooMuch},

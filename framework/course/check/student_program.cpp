@@ -6,6 +6,8 @@
 #include "base/text/printable.h"
 #include "course/check/compile_rules.h"
 #include "course/check/compile_verdict.h"
+#include "course/check/compile_view.h"
+#include "course/check/dependencies.h"
 #include "course/check/probe.h"
 #include "course/check/source_text.h"
 #include "course/check/symbols.h"
@@ -41,7 +43,8 @@ ToolRun runTool(const std::vector<std::string>& command, const CompileLimits& li
 
 /// One line for each file that the program is made of: any change changes the text.
 std::string fingerprintOf(const std::vector<fs::path>& files) {
-  std::string text = fmt::format("{} {}\n", build_paths::compiler, fmt::join(studentCompileFlags(), " "));
+  std::string text = fmt::format("{} {}\n{:016x}\n", build_paths::compiler, fmt::join(studentCompileFlags(), " "),
+                                 std::hash<std::string>{}(symbolRules()));
   for (const fs::path& file : files) {
     std::error_code error;
     const auto size = fs::file_size(file, error);
@@ -89,20 +92,20 @@ class Builder {
     if (fs::exists(stamp) && readFile(stamp) == program.fingerprint) return kept(program);
     const TemporaryFolder scratch(slot_);
     std::vector<std::string> objects;
-    takeConvertedCopies(scratch.path());
-    for (const fs::path& source : sources_) {
-      objects.push_back((scratch.path() / source.stem()).string() + ".o");
-      const CompileVerdict verdict = decided(scratch.path(), [&] { return compile(source, objects.back()); });
+    const CompileView view(scratch.path(), contract_, students_);
+    for (const StudentFile& file : students_) {
+      objects.push_back(objectOf(file, scratch.path(), ".o"));
+      const CompileVerdict verdict = decided(view, scratch.path(), [&] { return compile(view, file, objects.back()); });
       program.diagnostics += verdict.diagnostics;
       if (!take(verdict, program)) return program;
     }
     const fs::path fresh = scratch.path() / "program";
     if (!judgeObjects(objects, program)) return program;
     const std::string warnings = program.diagnostics;
-    const CompileVerdict linked = decided(scratch.path(), [&] { return link(objects, fresh, false); });
+    const CompileVerdict linked = decided(view, scratch.path(), [&] { return link(objects, fresh, false); });
     if (!linked.passed()) program.diagnostics = linked.diagnostics;
     if (!take(linked, program)) return program;
-    const bool looksTwice = wantsSecondLook_ && buildSanitized(scratch.path());
+    const bool looksTwice = wantsSecondLook_ && buildSanitized(view, scratch.path());
     // The stamp last: whoever reads it finds the program and the warnings that belong to it.
     fs::remove(stamp);
     fs::remove(slot_ / "sanitized");
@@ -127,16 +130,6 @@ class Builder {
     }
     if (!text.note.empty()) note_ += fmt::format("{}{}: {}", note_.empty() ? "" : "; ", name, text.note);
     students_.push_back({name, text.text});
-    isConverted_.push_back(text.text != bytes);
-  }
-
-  /// The compiler reads the text, not the bytes from which it was made.
-  void takeConvertedCopies(const fs::path& scratch) {
-    for (std::size_t i = 0; i < sources_.size(); ++i) {
-      if (!isConverted_[i]) continue;
-      sources_[i] = scratch / students_[i].name;
-      writeFile(sources_[i], students_[i].text);
-    }
   }
 
   /// What stands in the slot.
@@ -157,10 +150,10 @@ class Builder {
   /// What was killed is tried once more; what no word decides is decided by a file that is known to be good.
   /// Throws std::runtime_error when the machine is to blame.
   template <class Step>
-  CompileVerdict decided(const fs::path& scratch, const Step& step) const {
+  CompileVerdict decided(const CompileView& view, const fs::path& scratch, const Step& step) const {
     CompileVerdict verdict = step();
     if (!verdict.isDecided && verdict.wasKilled) verdict = step();
-    if (!verdict.isDecided) verdict = afterProbe(verdict, probeBuilds(scratch));
+    if (!verdict.isDecided) verdict = afterProbe(verdict, probeBuilds(view, scratch));
     if (verdict.isOurs) {
       throw std::runtime_error(fmt::format("{}; nothing is wrong with your file so far\n{}", verdict.message,
                                            cutText(verdict.diagnostics, 3, 500)));
@@ -168,11 +161,11 @@ class Builder {
     return verdict;
   }
 
-  bool probeBuilds(const fs::path& scratch) const {
-    const fs::path source = scratch / "probe.cpp";
+  bool probeBuilds(const CompileView& view, const fs::path& scratch) const {
+    const fs::path source = view.source("probe.cpp");
     const std::string object = (scratch / "probe.o").string();
     writeFile(source, probeSource(students_, contract_.filename().string()));
-    if (!runTool(compileCommand(source, object, false), limits_).succeeded) return false;
+    if (!runTool(compileCommand(view, source, object, false), limits_).succeeded) return false;
     std::vector<std::string> command{build_paths::compiler, "-shared", object, "-o", (scratch / "probe.so").string()};
     for (const std::string& flag : checkLinkFlags(false)) command.push_back(flag);
     return runTool(command, limits_).succeeded;
@@ -189,25 +182,33 @@ class Builder {
     return files;
   }
 
+  static std::string objectOf(const StudentFile& file, const fs::path& scratch, const char* ending) {
+    return (scratch / fs::path(file.name).stem()).string() + ending;
+  }
+
   /// \param sanitized the second build, whose flags fit no precompiled header
-  std::vector<std::string> compileCommand(const fs::path& source, const std::string& object, bool sanitized) const {
+  static std::vector<std::string> compileCommand(const CompileView& view, const fs::path& source,
+                                                 const std::string& object, bool sanitized) {
     std::vector<std::string> command{build_paths::compiler};
-    for (const std::string& flag : sanitized ? sanitizedCompileFlags() : studentCompileFlags()) command.push_back(flag);
-    const std::string framework = (fs::path(build_paths::source) / "framework").string();
-    if (sanitized) {
-      command.insert(command.end(), {"-I", framework, "-include", "harness/exercise.h"});
-    } else {
-      command.insert(command.end(), {"-I", build_paths::prelude, "-include", "prelude.h", "-I", framework});
-    }
-    command.insert(command.end(), {"-isystem", build_paths::eigen, "-I", contract_.parent_path().string(), "-c",
-                                   source.string(), "-o", object});
+    const auto add = [&](const std::vector<std::string>& flags) {
+      command.insert(command.end(), flags.begin(), flags.end());
+    };
+    add(sanitized ? sanitizedCompileFlags() : studentCompileFlags());
+    add(view.includeFlags(!sanitized));
+    add(dependencyFlags(object));
+    add({"-c", source.string(), "-o", object});
     return command;
   }
 
-  CompileVerdict compile(const fs::path& source, const std::string& object) {
-    const ToolRun run = runTool(compileCommand(source, object, false), limits_);
+  CompileVerdict compile(const CompileView& view, const StudentFile& file, const std::string& object) {
+    const ToolRun run = runTool(compileCommand(view, view.source(file.name), object, false), limits_);
     if (run.succeeded && wantsSecondLook(run.words, students_)) wantsSecondLook_ = true;
-    return judgeCompilation(run, students_, limits_);
+    const CompileVerdict verdict = judgeCompilation(run, students_, limits_);
+    if (!verdict.passed()) return verdict;
+    std::string lists;
+    for (const std::string& list : dependencyLists(object)) lists += readFile(list);
+    const CompileVerdict read = judgeDependencies(lists, view.place(), students_);
+    return read.passed() ? verdict : read;
   }
 
   /// `nm -P` of the objects. Throws std::runtime_error when it is missing or fails: a file that the grader refuses by
@@ -246,11 +247,12 @@ class Builder {
   }
 
   /// False when it does not come about, which costs nobody anything: the sanitizers' libraries may be missing.
-  bool buildSanitized(const fs::path& scratch) const {
+  bool buildSanitized(const CompileView& view, const fs::path& scratch) const {
     std::vector<std::string> objects;
-    for (const fs::path& source : sources_) {
-      objects.push_back((scratch / source.stem()).string() + "_sanitized.o");
-      if (!runTool(compileCommand(source, objects.back(), true), limits_).succeeded) return false;
+    for (const StudentFile& file : students_) {
+      objects.push_back(objectOf(file, scratch, "_sanitized.o"));
+      const auto command = compileCommand(view, view.source(file.name), objects.back(), true);
+      if (!runTool(command, limits_).succeeded) return false;
     }
     return link(objects, scratch / "sanitized", true).passed();
   }
@@ -263,8 +265,7 @@ class Builder {
   fs::path slot_;
   CompileLimits limits_;
   bool wantsSecondLook_ = false;
-  std::vector<bool> isConverted_;  ///< of each source: its text is not its bytes
-  std::string refusal_;            ///< why a source is not compiled at all; "" when all are
+  std::string refusal_;  ///< why a source is not compiled at all; "" when all are
   std::string note_;
 };
 

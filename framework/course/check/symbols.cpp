@@ -1,9 +1,16 @@
 #include "course/check/symbols.h"
 
+#include "base/text/printable.h"
+
+#include <cxxabi.h>
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstdlib>
+#include <memory>
 #include <span>
+#include <system_error>
 
 namespace muelle {
 
@@ -17,6 +24,13 @@ constexpr std::string_view network = "talks to a network ({}): it can only compu
 constexpr std::string_view sleeps = "waits ({}): a function returns as soon as it has computed";
 constexpr std::string_view signals = "sends or handles signals ({}): throw an exception, or return";
 constexpr std::string_view memory = "asks for memory beside new and std::vector ({})";
+constexpr std::string_view terminal = "asks for a terminal ({}): it runs without one";
+constexpr std::string_view descriptors = "prints past the streams ({}): write to std::cout or std::cerr";
+constexpr std::string_view processors = "asks for the machine's processors ({}): one is enough for every exercise";
+constexpr std::string_view timeZones = "asks for the time of a place ({}): what it needs comes as arguments";
+constexpr std::string_view locales = "changes language and country ({}): numbers are read and written as in C++";
+constexpr std::string_view randomness =
+    "takes random numbers from the machine ({}): equal arguments give equal results";
 constexpr std::string_view system = "asks the operating system ({}): what it needs comes as arguments";
 
 /// A symbol that no exercise needs.
@@ -45,7 +59,20 @@ constexpr auto parts = std::to_array<Unneeded>({
     {"_ZNSt3__14__fs10filesystem", "std::filesystem", files},
     {"_ZNKSt3__14__fs10filesystem", "std::filesystem", files},
     {"_ZNSt6thread15_M_start_thread", "std::thread", threads},
+    {"_ZNSt3__16thread20hardware_concurrencyEv", "std::thread::hardware_concurrency", processors},
     {"_ZNSt3__16thread", "std::thread", threads},
+    {"_ZNSt6thread20hardware_concurrencyEv", "std::thread::hardware_concurrency", processors},
+    {"_ZNSt6localeC1EPKc", "std::locale", locales},
+    {"_ZNSt6localeC2EPKc", "std::locale", locales},
+    {"_ZNSt6localeC1ERKS_PKc", "std::locale", locales},
+    {"_ZNSt6localeC2ERKS_PKc", "std::locale", locales},
+    {"_ZNSt3__16localeC1EPKc", "std::locale", locales},
+    {"_ZNSt3__16localeC1ERKNS_12basic_string", "std::locale", locales},
+    {"_ZNSt13random_device", "std::random_device", randomness},
+    {"_ZNSt3__113random_device", "std::random_device", randomness},
+    {"_ZNSt6chrono8get_tzdb", "std::chrono::get_tzdb", timeZones},
+    {"_ZNSt6chrono11locate_zone", "std::chrono::locate_zone", timeZones},
+    {"_ZNSt6chrono12current_zone", "std::chrono::current_zone", timeZones},
     {"_ZNSt11this_thread", "std::this_thread", sleeps},
     {"_ZNSt3__111this_thread", "std::this_thread", sleeps},
 });
@@ -66,31 +93,22 @@ constexpr auto functions = std::to_array<Unneeded>({
     {"gets", "", keyboard},
     {"getwchar", "", keyboard},
     {"fopen", "", files},
-    {"fopen64", "fopen", files},
     {"freopen", "", files},
-    {"freopen64", "freopen", files},
     {"fdopen", "", files},
     {"tmpfile", "", files},
-    {"tmpfile64", "tmpfile", files},
     {"remove", "", files},
     {"rename", "", files},
     {"open", "", files},
-    {"open64", "open", files},
     {"__open_2", "open", files},
     {"__open64_2", "open", files},
     {"openat", "", files},
-    {"openat64", "openat", files},
     {"creat", "", files},
-    {"creat64", "creat", files},
     {"read", "", files},
-    {"__read_chk", "read", files},
     {"readv", "", files},
     {"pread", "", files},
-    {"pread64", "pread", files},
     {"write", "", files},
     {"writev", "", files},
     {"pwrite", "", files},
-    {"pwrite64", "pwrite", files},
     {"close", "", files},
     {"close_range", "", files},
     {"closefrom", "", files},
@@ -100,7 +118,6 @@ constexpr auto functions = std::to_array<Unneeded>({
     {"pipe", "", files},
     {"pipe2", "", files},
     {"fcntl", "", files},
-    {"fcntl64", "fcntl", files},
     {"ioctl", "", files},
     {"flock", "", files},
     {"lockf", "", files},
@@ -138,9 +155,7 @@ constexpr auto functions = std::to_array<Unneeded>({
     {"utimensat", "", files},
     {"futimens", "", files},
     {"truncate", "", files},
-    {"truncate64", "truncate", files},
     {"ftruncate", "", files},
-    {"ftruncate64", "ftruncate", files},
     {"stat", "", files},
     {"lstat", "", files},
     {"fstat", "", files},
@@ -149,7 +164,6 @@ constexpr auto functions = std::to_array<Unneeded>({
     {"readlink", "", files},
     {"realpath", "", files},
     {"mkstemp", "", files},
-    {"mkstemp64", "mkstemp", files},
     {"mkdtemp", "", files},
     {"mount", "", files},
     {"umount", "", files},
@@ -221,7 +235,6 @@ constexpr auto functions = std::to_array<Unneeded>({
     {"setitimer", "", signals},
     {"timer_create", "", signals},
     {"mmap", "", memory},
-    {"mmap64", "mmap", memory},
     {"munmap", "", memory},
     {"mremap", "", memory},
     {"mprotect", "", memory},
@@ -247,9 +260,7 @@ constexpr auto functions = std::to_array<Unneeded>({
     {"process_vm_writev", "", system},
     {"personality", "", system},
     {"setrlimit", "", system},
-    {"setrlimit64", "setrlimit", system},
     {"prlimit", "", system},
-    {"prlimit64", "prlimit", system},
     {"unshare", "", system},
     {"setns", "", system},
     {"setuid", "", system},
@@ -274,6 +285,126 @@ constexpr auto functions = std::to_array<Unneeded>({
     {"inotify_init", "", system},
     {"add_key", "", system},
     {"keyctl", "", system},
+    {"fclose", "", files},
+    {"fseek", "", files},
+    {"fseeko", "", files},
+    {"ftell", "", files},
+    {"ftello", "", files},
+    {"rewind", "", files},
+    {"fgetpos", "", files},
+    {"fsetpos", "", files},
+    {"faccessat", "", files},
+    {"euidaccess", "", files},
+    {"eaccess", "", files},
+    {"statx", "", files},
+    {"statfs", "", files},
+    {"fstatfs", "", files},
+    {"statvfs", "", files},
+    {"fstatvfs", "", files},
+    {"pathconf", "", files},
+    {"fpathconf", "", files},
+    {"umask", "", files},
+    {"sync", "", files},
+    {"syncfs", "", files},
+    {"fsync", "", files},
+    {"fdatasync", "", files},
+    {"getcwd", "", files},
+    {"get_current_dir_name", "", files},
+    {"getwd", "", files},
+    {"canonicalize_file_name", "", files},
+    {"iconv_open", "", files},
+    {"catopen", "", files},
+    {"wordexp", "", programs},
+    {"perror", "", descriptors},
+    {"dprintf", "", descriptors},
+    {"vdprintf", "", descriptors},
+    {"backtrace_symbols_fd", "", descriptors},
+    {"syslog", "", descriptors},
+    {"vsyslog", "", descriptors},
+    {"isatty", "", terminal},
+    {"ttyname", "", terminal},
+    {"ttyname_r", "", terminal},
+    {"tcgetattr", "", terminal},
+    {"tcsetattr", "", terminal},
+    {"getpass", "", terminal},
+    {"sysconf", "", processors},
+    {"get_nprocs", "", processors},
+    {"get_nprocs_conf", "", processors},
+    {"get_phys_pages", "", processors},
+    {"get_avphys_pages", "", processors},
+    {"getloadavg", "", processors},
+    {"sched_getaffinity", "", processors},
+    {"sched_setaffinity", "", processors},
+    {"pthread_getaffinity_np", "", processors},
+    {"pthread_setaffinity_np", "", processors},
+    {"ctime", "", timeZones},
+    {"ctime_r", "", timeZones},
+    {"localtime", "", timeZones},
+    {"localtime_r", "", timeZones},
+    {"gmtime", "", timeZones},
+    {"gmtime_r", "", timeZones},
+    {"mktime", "", timeZones},
+    {"timelocal", "", timeZones},
+    {"timegm", "", timeZones},
+    {"tzset", "", timeZones},
+    {"getdate", "", timeZones},
+    {"getdate_r", "", timeZones},
+    {"strftime", "", timeZones},
+    {"strftime_l", "", timeZones},
+    {"wcsftime", "", timeZones},
+    {"wcsftime_l", "", timeZones},
+    {"setlocale", "", locales},
+    {"newlocale", "", locales},
+    {"pthread_getattr_np", "", threads},
+    {"pthread_setname_np", "", threads},
+    {"pthread_getname_np", "", threads},
+    {"pthread_setschedparam", "", threads},
+    {"getservbyname", "", network},
+    {"getservbyport", "", network},
+    {"getprotobyname", "", network},
+    {"gethostbyaddr", "", network},
+    {"getnameinfo", "", network},
+    {"getifaddrs", "", network},
+    {"if_nameindex", "", network},
+    {"sigpending", "", signals},
+    {"siginterrupt", "", signals},
+    {"sigwaitinfo", "", signals},
+    {"sigtimedwait", "", signals},
+    {"signalfd", "", signals},
+    {"bsd_signal", "", signals},
+    {"getitimer", "", signals},
+    {"ualarm", "", signals},
+    {"munlock", "", memory},
+    {"munlockall", "", memory},
+    {"mincore", "", memory},
+    {"msync", "", memory},
+    {"getrusage", "", system},
+    {"times", "", system},
+    {"getrlimit", "", system},
+    {"geteuid", "", system},
+    {"getgid", "", system},
+    {"getegid", "", system},
+    {"getsid", "", system},
+    {"getpgid", "", system},
+    {"getlogin", "", system},
+    {"getlogin_r", "", system},
+    {"cuserid", "", system},
+    {"getpwuid", "", system},
+    {"getpwuid_r", "", system},
+    {"getpwnam", "", system},
+    {"getpwnam_r", "", system},
+    {"getgrgid", "", system},
+    {"getgrnam", "", system},
+    {"getdomainname", "", system},
+    {"gethostid", "", system},
+    {"sysinfo", "", system},
+    {"getpriority", "", system},
+    {"setpriority", "", system},
+    {"nice", "", system},
+    {"sched_getscheduler", "", system},
+    {"sched_setscheduler", "", system},
+    {"sched_get_priority_max", "", system},
+    {"sched_get_priority_min", "", system},
 });
 
 /// A Mac's assembler puts an underscore before every name.
@@ -284,12 +415,56 @@ std::string_view plain(std::string_view symbol) {
   return symbol;
 }
 
+/// "getcwd" of "__getcwd_chk", which a compiler makes of it that guards lengths; "fopen" of "fopen64".
+std::string_view plainName(std::string_view symbol) {
+  if (symbol.starts_with("__") && symbol.ends_with("_chk")) return symbol.substr(2, symbol.size() - 6);
+  if (symbol.ends_with("64")) symbol.remove_suffix(2);
+  return symbol;
+}
+
 /// The entry of the tables that says what the symbol is; null when an exercise may need it.
 const Unneeded* unneeded(std::string_view symbol) {
   const auto part = std::ranges::find_if(parts, [&](const Unneeded& u) { return symbol.starts_with(u.symbol); });
   if (part != parts.end()) return &*part;
-  const auto function = std::ranges::find(functions, symbol, &Unneeded::symbol);
+  auto function = std::ranges::find(functions, symbol, &Unneeded::symbol);
+  if (function == functions.end()) function = std::ranges::find(functions, plainName(symbol), &Unneeded::symbol);
   return function != functions.end() ? &*function : nullptr;
+}
+
+/// Functions that hand out the memory of the whole program, in a file that defines them: the checking program's, too.
+constexpr auto allocators =
+    std::to_array<std::string_view>({"malloc", "free", "calloc", "realloc", "reallocarray", "aligned_alloc", "memalign",
+                                     "posix_memalign", "valloc", "pvalloc", "malloc_usable_size"});
+
+/// "operator new" of one of its forms that a program may replace, "" of any other symbol: a class's own, or one with
+/// arguments of the student's, replaces nothing.
+std::string_view replacedOperator(std::string_view symbol) {
+  const std::string_view name = symbol.substr(0, std::min<std::size_t>(symbol.size(), 4));
+  const bool isNew = name == "_Znw" || name == "_Zna";
+  const bool isDelete = name == "_Zdl" || name == "_Zda";
+  if (!isNew && !isDelete) return "";
+  std::string_view arguments = symbol.substr(name.size());
+  const auto drop = [&arguments](std::string_view argument) {
+    const bool isThere = arguments.starts_with(argument);
+    if (isThere) arguments.remove_prefix(argument.size());
+    return isThere;
+  };
+  if (isDelete && !drop("Pv")) return "";
+  const bool hasSize = drop("m") || drop("j");
+  if (isNew && !hasSize) return "";
+  drop("St11align_val_t");
+  drop("RKSt9nothrow_t");
+  if (!arguments.empty()) return "";
+  return isNew ? "operator new" : "operator delete";
+}
+
+/// What of the program's memory the file replaces, as the student writes it; "" when nothing.
+std::string_view replacedAllocator(const std::vector<std::string>& defined) {
+  for (const std::string& symbol : defined) {
+    if (const std::string_view name = replacedOperator(symbol); !name.empty()) return name;
+    if (const auto found = std::ranges::find(allocators, symbol); found != allocators.end()) return *found;
+  }
+  return "";
 }
 
 /// Names that others look up in the program that a student's file becomes part of; those of C++ carry their types and
@@ -304,6 +479,39 @@ std::string firstOf(const std::vector<std::string>& symbols, std::span<const std
     return std::ranges::any_of(beginnings, [&](std::string_view beginning) { return symbol.starts_with(beginning); });
   });
   return found == symbols.end() ? "" : *found;
+}
+
+/// Of initialised, zeroed, constant, common and shared data.
+bool isData(char kind) { return std::string_view("BbDdRrCGgSsuVv").find(kind) != std::string_view::npos; }
+
+/// The last of "kind value size", which is hexadecimal; 0 where there is none.
+std::size_t sizeIn(std::string_view fields) {
+  const std::size_t blank = fields.rfind(' ');
+  std::size_t bytes = 0;
+  if (blank == std::string_view::npos) return 0;
+  const auto [end, error] = std::from_chars(fields.data() + blank + 1, fields.data() + fields.size(), bytes, 16);
+  return error == std::errc() ? bytes : 0;
+}
+
+/// "lumpedMass(double, int)::table" of its symbol.
+std::string readableName(const std::string& symbol) {
+  int status = 0;
+  const std::unique_ptr<char, decltype(&std::free)> name(abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status),
+                                                         &std::free);
+  return status == 0 && name ? name.get() : symbol;
+}
+
+/// Of the 1 GiB of address space that a program has in check and in grade, what its static data may take.
+constexpr std::size_t mostStaticData = 512UL << 20U;
+
+/// What a table that does not fit is called, and how large it is; "" when all of them fit.
+std::string oversize(const std::vector<StaticData>& data) {
+  double total = 0;  // the sizes are the submission's: no sum of integers
+  for (const StaticData& item : data) total += static_cast<double>(item.bytes);
+  if (total <= static_cast<double>(mostStaticData)) return "";
+  const StaticData& largest = *std::ranges::max_element(data, {}, &StaticData::bytes);
+  return fmt::format("{} takes {} MiB of memory before anything runs; all static variables together may take {}",
+                     printableLine(readableName(largest.symbol)), largest.bytes >> 20U, mostStaticData >> 20U);
 }
 
 void addOnce(std::vector<std::string>& names, std::string_view name) {
@@ -328,6 +536,7 @@ Symbols readSymbols(std::string_view nmText) {
     const bool isGlobal = kind >= 'A' && kind <= 'Z';
     if (isUndefined) addOnce(used, name);
     if (!isUndefined && isGlobal) addOnce(symbols.defined, name);
+    if (isData(kind)) symbols.data.push_back({std::string(name), sizeIn(line.substr(blank + 1))});
   }
   for (const std::string& name : used) {
     if (std::ranges::find(symbols.defined, name) == symbols.defined.end()) symbols.undefined.push_back(name);
@@ -342,6 +551,8 @@ std::string symbolRules() {
   };
   addAll(parts);
   addAll(functions);
+  rules += fmt::format("{}\n", mostStaticData);
+  for (const std::string_view name : allocators) rules += fmt::format("{}\n", name);
   for (const std::string_view name : ofTheCourse) rules += fmt::format("{}\n", name);
   for (const std::string_view name : ofSanitizers) rules += fmt::format("{}\n", name);
   return rules;
@@ -356,6 +567,12 @@ SymbolVerdict judgeSymbols(const Symbols& symbols) {
   }
   if (const std::string name = firstOf(symbols.defined, ofSanitizers); !name.empty()) {
     return {Outcome::Forbidden, fmt::format("it defines {}, which is for the sanitizers to define", name)};
+  }
+  if (const std::string_view name = replacedAllocator(symbols.defined); !name.empty()) {
+    return {Outcome::Forbidden, fmt::format("it replaces {} for the whole program: leave it out", name)};
+  }
+  if (const std::string what = oversize(symbols.data); !what.empty()) {
+    return {Outcome::Crash, "it does not fit into memory: " + what};
   }
   for (const std::string& symbol : symbols.undefined) {
     if (const Unneeded* found = unneeded(symbol)) {

@@ -5,16 +5,24 @@
 
 #include "course/check/outcome.h"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace muelle {
 
+/// A variable, and the room that it takes in memory before anything has run.
+struct StaticData {
+  std::string symbol;
+  std::size_t bytes = 0;
+};
+
 /// The symbols of compiled files, as the assembler spells them.
 struct Symbols {
   std::vector<std::string> undefined;  ///< taken from elsewhere
   std::vector<std::string> defined;    ///< seen from elsewhere
+  std::vector<StaticData> data;        ///< as far as the system's nm tells sizes: a Mac's does not
 };
 
 /// Reads what `nm -P` writes, of several files too: what one defines and another uses is not undefined.
@@ -22,7 +30,7 @@ Symbols readSymbols(std::string_view nmText);
 
 /// What the symbols alone say.
 struct SymbolVerdict {
-  Outcome outcome = Outcome::Passed;  ///< Passed, Link (main) or Forbidden
+  Outcome outcome = Outcome::Passed;  ///< Passed, Link (main), Forbidden, or Crash (more memory than there is)
   std::string message;                ///< one sentence that names the cause; "" when passed
 };
 

@@ -54,7 +54,7 @@ class Grading {
       });
     } catch (const std::exception& error) {
       row.trouble = error.what();
-      forget(row, entry.path);
+      forget(row, entry.parts.front());
       count();
     }
   }

@@ -2,6 +2,7 @@
 
 #include "base/text/nearest.h"
 #include "base/text/printable.h"
+#include "course/check/handed_out.h"
 #include "course/check/source_text.h"
 #include "grader/intake/file_names.h"
 #include "grader/intake/package.h"
@@ -131,7 +132,7 @@ void Collector::file(const RelativePath& path, const std::function<Content()>& r
   if (passOver(path)) return;
   if (!wantedBy(path).empty()) return offer(path, read);
   if (isHandedOut(path)) {
-    ++handedOut_;
+    handedOut(path, read);
   } else {
     if (mayBeMeant(path.back())) strays_.push_back(path);
     ignore(path, "");
@@ -236,6 +237,14 @@ bool Collector::isHandedOut(const RelativePath& path) const {
   const std::string& name = path.back();
   return name == topic + ".h" || name == "README.md" || name == "README.es.md" || name == "figure.svg" ||
          name == "exercise.toml" || isHandedOutSource(name);
+}
+
+void Collector::handedOut(const RelativePath& path, const std::function<Content()>& read) {
+  ++handedOut_;
+  const std::string topic = topicOf(parentOf(path));
+  if (path.back() != topic + ".h" || !isAskedFor(topic)) return;
+  const Content content = read();
+  if (content.refusal.empty() && content.fault.empty()) contracts_[topic].insert(handedOutHash(content.bytes));
 }
 
 std::vector<std::string> Collector::notes(const Submission& submission) const {
@@ -405,6 +414,7 @@ Submission Collector::finish(std::string name) const {
   for (const Manifest& manifest : course_) {
     if (isAskedFor(manifest.topic)) say(manifest, submission);
   }
+  submission.contracts = contracts_;
   submission.notes = notes(submission);
   submission.hash = hashOf(submission);
   return submission;

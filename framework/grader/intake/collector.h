@@ -1,9 +1,11 @@
 #pragma once
 #include "grader/intake/intake.h"
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -100,6 +102,8 @@ class Collector {
   bool passOver(const RelativePath& path);
   bool isHandedOut(const RelativePath& path) const;
   bool mayBeMeant(const std::string& name) const;
+  /// Counts it, and keeps what a contract's text comes to.
+  void handedOut(const RelativePath& path, const std::function<Content()>& read);
 
   static void settle(const Key& key, const Slot& slot, Submission& submission);
   static std::string differing(const std::string& file, const Slot& slot);
@@ -123,6 +127,7 @@ class Collector {
   std::vector<std::string> notes_;
   /// (folder, reason) -> names ignored there
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> ignored_;
+  std::map<std::string, std::set<std::uint64_t>> contracts_;  ///< as in Submission
   std::size_t seen_ = 0;
   std::size_t handedOut_ = 0;
   std::size_t hidden_ = 0;

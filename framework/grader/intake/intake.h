@@ -1,8 +1,10 @@
 #pragma once
 #include "course/manifest.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,8 @@ struct Submission {
   /// topic -> how its files were taken, where that is not as asked for: "spring_1d.cpp is taken from 'spring_1d
   /// (1).cpp'"
   std::map<std::string, std::string> taken;
+  /// topic -> handedOutHash() of each TOPIC.h that lies in the exercise's folder; none of them is used
+  std::map<std::string, std::set<std::uint64_t>> contracts;
   /// topic -> why its file was refused (too large, a link, a FIFO, no text, two that differ ...): no points
   std::map<std::string, std::string> refused;
   /// topic -> which file is not there, and which may be meant: "no spring_1d.cpp; is 'resorte.cpp' meant?"

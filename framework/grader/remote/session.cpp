@@ -2,6 +2,7 @@
 
 #include "course/check/eigen_message.h"
 #include "course/check/standard_message.h"
+#include "course/check/thrown_sentence.h"
 #include "course/testing/never_written.h"
 #include "grader/remote/fault.h"
 #include "grader/worker/glue.h"
@@ -146,7 +147,7 @@ std::vector<std::byte> Session::converse(const Request& request, const Patience&
         answerCallback(request, frame, nonce, patience);
         break;
       case wire::FrameKind::Thrown:
-        throw SubmissionFault(fmt::format("{} threw an exception: {}", request.function, text(frame)));
+        throw SubmissionFault(fmt::format("{} {}", request.function, thrownSentence(text(frame))));
       case wire::FrameKind::Refused:
         throw refusal(frame, request.function);
       case wire::FrameKind::Died:

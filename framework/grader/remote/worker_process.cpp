@@ -1,5 +1,6 @@
 #include "grader/remote/worker_process.h"
 
+#include "course/check/fault_sentences.h"
 #include "grader/remote/fault.h"
 #include "grader/remote/finding_text.h"
 #include "grader/worker/sanitised.h"
@@ -77,8 +78,8 @@ std::string textOf(const wire::Frame& frame) {
 }  // namespace
 
 std::string deathText(const std::string& cause) {
-  if (cause == "stack overflow")
-    return "ran out of stack: does it call itself without end, or hold a huge local array?";
+  if (cause == "stack overflow") return stackOverflowSentence;
+  if (cause == "floating-point trap") return trapSentence;
   if (cause == "segmentation fault") return "crashed: it used memory that is not its own (segmentation fault)";
   if (cause == "bus error") return "crashed (bus error)";
   if (cause == "arithmetic exception") return "crashed: an integer division by zero (SIGFPE)";
@@ -90,7 +91,8 @@ std::string deathText(const std::string& cause) {
 }
 
 Outcome deathOutcome(const std::string& cause) {
-  for (const char* crash : {"stack overflow", "segmentation fault", "bus error", "arithmetic exception"}) {
+  for (const char* crash :
+       {"stack overflow", "segmentation fault", "bus error", "arithmetic exception", "floating-point trap"}) {
     if (cause == crash) return Outcome::Crash;
   }
   return cause.starts_with(worker::sanitiserFinding) ? Outcome::Crash : Outcome::Forbidden;

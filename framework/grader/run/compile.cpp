@@ -2,6 +2,7 @@
 
 #include "base/build_paths.h"
 #include "course/check/compile_rules.h"
+#include "course/check/dependencies.h"
 #include "grader/run/digest.h"
 #include "grader/run/shared_prelude.h"
 #include "grader/run/tool_watch.h"
@@ -25,6 +26,9 @@ constexpr const char* linkFlags = "-shared -Wl,-Bsymbolic,-z,now,-z,noexecstack,
 constexpr int compileFailed = 10;
 constexpr int linkFailed = 11;
 constexpr int symbolsFailed = 12;
+
+/// Between what was read and the symbols.
+constexpr const char* symbolsFollow = "-- symbols";
 
 /// A compiler that the sandbox does not have under its own name is handed over as a file.
 bool isOfTheSystem(const fs::path& program) { return program.string().starts_with("/usr/"); }
@@ -68,7 +72,12 @@ Confinement confinementOf(const Workplace& workplace, const Manifest& manifest, 
   confinement.renamedFolders[build_paths::eigen] = "/eigen";
   confinement.scratchBytes = scratchBytes;
   confinement.limits.addressSpace = workplace.limits.memory;
-  confinement.limits.fileSize = scratchBytes;
+  confinement.limits.fileSize = workplace.limits.product;
+  // A copy of the precompiled header is written under the same limit.
+  if (const auto copy = std::ranges::find(confinement.files, workplace.prelude(), &VisibleFile::source);
+      copy != confinement.files.end()) {
+    confinement.limits.fileSize = std::max<std::size_t>(workplace.limits.product, fs::file_size(copy->source));
+  }
   confinement.limits.cpuSeconds = static_cast<unsigned>(workplace.limits.processorTime.count());
   return confinement;
 }
@@ -102,24 +111,34 @@ std::vector<VisibleFile> compilersView(const Workplace& workplace, const Manifes
 }
 
 /// Runs in the sandbox's root folder, which only some backends can make "/". Nothing of the student's runs here, only
-/// compiler, nm and linker do, each watched; the product leaves by stdout, the list of symbols by descriptor 3.
+/// compiler, nm and linker do, each watched; the product leaves by stdout, the lists of what was read and of symbols by
+/// descriptor 3.
 std::string compileScript(const Workplace& workplace, const Sources& sources, SandboxChoice sandbox, Build build) {
-  std::string files;
-  for (const auto& [name, content] : sources) files += " ../submission/" + name;
   const bool isSanitised = build == Build::Sanitised;
   const std::string compiler = insideOf(workplace.compiler);
-  return fmt::format(
-      "cd tmp && {11}{0} {12}{1} {2} -I../contract -I../framework -isystem ../eigen -c{3} || exit {4}\n"
-      "{14}nm -P *.o >&3 || exit {5}\n"
-      "{0} {13}{6}{10} {7} *.o {8} -o submission.so || exit {9}\n"
-      "cat submission.so\n",
-      compiler, joined(isSanitised ? sanitizedCompileFlags() : studentCompileFlags()),
-      isSanitised ? "" : "-I../prelude -include prelude.h", files, compileFailed, symbolsFailed, linkFlags,
-      joined(linkFlagsIn(sandbox, isSanitised)),
-      build == Build::Probe ? "" : "-Wl,--whole-archive ../glue.a -Wl,--no-whole-archive", linkFailed,
-      isSanitised ? "" : " -Wl,-z,defs",  // the host has the sanitizers' own symbols
-      compilesWithClang() ? ToolWatch::command() : "", ToolWatch::compilerFlag(), ToolWatch::linkerFlag(),
-      ToolWatch::command());
+  std::string script = "cd tmp\n";
+  for (const auto& [name, content] : sources) {
+    const std::string object = fs::path(name).stem().string() + ".o";
+    script += fmt::format(
+        "{}{} {}{} {} -I../contract -I../framework -isystem ../eigen {} -c ../submission/{} -o {} || exit {}\n",
+        compilesWithClang() ? ToolWatch::command() : "", compiler, ToolWatch::compilerFlag(),
+        joined(isSanitised ? sanitizedCompileFlags() : studentCompileFlags()),
+        isSanitised ? "" : "-I../prelude -include prelude.h", joined(dependencyFlags(object)), name, object,
+        compileFailed);
+    script += fmt::format("cat {} >&3 || exit {}\n", joined(dependencyLists(object)), symbolsFailed);
+  }
+  return script + fmt::format(
+                      "echo '{0}' >&3; {1}nm -P *.o >&3 || exit {2}\n"
+                      "{3} {4}{5}{6} {7} *.o {8} -o submission.so || exit {9}\n"
+                      "cat submission.so\n",
+                      symbolsFollow, ToolWatch::command(), symbolsFailed, compiler, ToolWatch::linkerFlag(), linkFlags,
+                      isSanitised ? "" : " -Wl,-z,defs",  // the host has the sanitizers' own symbols
+                      joined(linkFlagsIn(sandbox, isSanitised)),
+                      build == Build::Probe ? "" : "-Wl,--whole-archive ../glue.a -Wl,--no-whole-archive", linkFailed);
+}
+
+CompilePlace placeInSandbox() {
+  return {"/tmp", {"/submission", "/contract", "/framework/harness", "/eigen", "/prelude"}};
 }
 
 std::string compilerIdentity(const Workplace& workplace) {
@@ -145,7 +164,10 @@ Compilation compile(const Workplace& workplace, const Manifest& manifest, const 
   compilation.run = sandbox.run(confinement, capture);
   compilation.stage = stageOf(compilation.run);
   compilation.endedFromOutside = compilation.stage != Compilation::Stage::Done && !watch.sawOwnFailure();
-  compilation.symbols = compilation.run.report;
+  const std::string& report = compilation.run.report;
+  const std::size_t end = report.find(std::string(symbolsFollow) + "\n");
+  compilation.dependencies = report.substr(0, end);
+  if (end != std::string::npos) compilation.symbols = report.substr(end);
   return compilation;
 }
 

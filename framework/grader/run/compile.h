@@ -1,4 +1,5 @@
 #pragma once
+#include "course/check/dependencies.h"
 #include "grader/run/keys.h"
 #include "grader/run/workplace.h"
 #include "grader/sandbox/sandbox.h"
@@ -13,6 +14,7 @@ struct Compilation {
   enum class Stage { Compiling, Linking, Done, Elsewhere };
   Stage stage = Stage::Elsewhere;  ///< where it ended; Elsewhere: neither tool said so
   CommandResult run;               ///< out: the shared object; err: the tools' words
+  std::string dependencies;        ///< lists of what compiler and assembler have read, as make reads them
   std::string symbols;             ///< `nm -P` of the student's objects
   bool endedFromOutside = false;   ///< it failed, and no tool has been seen to fail by itself
 };
@@ -26,6 +28,9 @@ enum class Build {
 
 /// The files that a student's file may include, beside the system's and Eigen.
 std::vector<VisibleFile> compilersView(const Workplace& workplace, const Manifest& manifest);
+
+/// Where they lie in the sandbox, for judgeDependencies().
+CompilePlace placeInSandbox();
 
 /// The commands that are run in the sandbox.
 std::string compileScript(const Workplace& workplace, const Sources& sources, SandboxChoice sandbox,

@@ -1,6 +1,7 @@
 #include "grader/run/grade.h"
 
 #include "base/file.h"
+#include "course/check/handed_out.h"
 #include "course/unfinished.h"
 #include "grader/run/exercise_run.h"
 
@@ -73,6 +74,18 @@ BuildOutcome absence(const Submission& submission, const Manifest& manifest) {
   return outcome;
 }
 
+/// How the files were taken; and that the student's contract is another one, which explains an error of the compiler
+/// that their own machine does not have.
+std::string noteOn(const Submission& submission, const std::string& topic, const std::filesystem::path& contract) {
+  std::string note = entryOf(submission.taken, topic);
+  const auto theirs = submission.contracts.find(topic);
+  if (theirs == submission.contracts.end()) return note;
+  const std::uint64_t ours = handedOutHash(readFile(contract));
+  if (std::ranges::all_of(theirs->second, [ours](std::uint64_t hash) { return hash == ours; })) return note;
+  return note + fmt::format("{}your {}.h is not the one that was handed out; the grader uses its own",
+                            note.empty() ? "" : "; ", topic);
+}
+
 }  // namespace
 
 Grader::Grader(Workplace workplace, std::vector<Manifest> course, GradeOptions options,
@@ -117,7 +130,8 @@ void Grader::add(Pool& pool, const Submission& submission, std::function<void(Gr
   for (std::size_t i = 0; i < course_.size(); ++i) {
     const Manifest& manifest = course_[i];
     addExercise(pool, manifest, sourcesOf(submission, manifest), absence(submission, manifest),
-                [unfinished, i, note = entryOf(submission.taken, manifest.topic)](GradedExercise exercise) {
+                [unfinished, i, note = noteOn(submission, manifest.topic, workplace_.contract(manifest.topic))](
+                    GradedExercise exercise) {
                   exercise.note = note;
                   std::unique_lock lock(unfinished->mutex);
                   unfinished->graded.exercises[i] = std::move(exercise);

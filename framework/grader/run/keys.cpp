@@ -51,7 +51,7 @@ std::string objectKey(const Workplace& workplace, const Manifest& manifest, cons
                       SandboxChoice sandbox) {
   std::string headers;
   for (const VisibleFile& header : compilersView(workplace, manifest)) headers += digestOf(header.source);
-  return digest({"object 2", manifest.topic, digestOfSources(sources), headers,
+  return digest({"object 3", manifest.topic, digestOfSources(sources), headers,
                  compileScript(workplace, sources, sandbox), compilerIdentity(workplace), toText(sandbox),
                  workplace.judgesSymbols ? symbolRules() : "unjudged"});
 }

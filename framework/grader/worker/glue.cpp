@@ -3,6 +3,7 @@
 /// with MUELLE_CONTRACT naming its header.
 
 #include MUELLE_CONTRACT
+#include "course/check/thrown_sentence.h"
 
 #include <exception>
 
@@ -44,9 +45,9 @@ extern "C" __attribute__((visibility("default"))) muelle::grader::worker::Served
       result = std::move(out.bytes());
       return worker::Served::Returned;
     } catch (const std::exception& error) {
-      text = error.what();
+      text = muelle::textOf(error);
     } catch (...) {
-      text = "an object that is no std::exception";
+      text.clear();
     }
     return worker::Served::Threw;
   }

@@ -105,6 +105,7 @@ void onFault(int signal, siginfo_t* info, void* context) {
     die(worker::systemCallName(info->si_syscall));
   }
   if (signal == SIGSEGV && overflow) die("stack overflow");
+  if (signal == SIGFPE && info->si_code != FPE_INTDIV) die("floating-point trap");
   die(signal == SIGSEGV ? "segmentation fault" : signal == SIGBUS ? "bus error" : "arithmetic exception");
 }
 

@@ -6,6 +6,8 @@
 #include "base/build_paths.h"
 #include "base/file.h"
 #include "course/check/compile_rules.h"
+#include "course/check/fault_sentences.h"
+#include "course/check/thrown_sentence.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -113,6 +115,29 @@ TEST_F(Check, ANumberThatIsOffArrivesAsANumber) {
   EXPECT_EQ(mismatch.call, "twice(Vec3(1, 2, 3))");
   EXPECT_TRUE(report.failures[0].messages.empty());
 }
+
+TEST_F(Check, AFileThatTheGraderHasNotIsNotFoundHereEither) {
+  writeFile(folder_.path() / "helpers.h", "inline double one() { return 1; }\n");
+  const std::string beside = (folder_.path() / "helpers.h").string();
+  for (const std::string& included :
+       {std::string("helpers.h"), beside, std::string("figures/write.h"), std::string("harness/../figures/write.h"),
+        std::string("public_test.cpp"), std::string("fmt/format.h")}) {
+    const StudentProgram program = build("#include \"" + included + "\"\n" + twice + entry);
+    EXPECT_EQ(program.outcome, Outcome::Compile) << included;
+    EXPECT_NE(program.message.find(included), std::string::npos) << program.message;
+  }
+  EXPECT_EQ(build("#include <bits/stdc++.h>\n#include <Eigen/Dense>\n#include <sys/types.h>\n" + twice + entry).message,
+            "");
+}
+
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__APPLE__)
+TEST_F(Check, AFileThatTheAssemblerTakesInIsNamed) {
+  const StudentProgram program =
+      build("asm(\".section .rodata\\nfoo: .incbin \\\"/etc/passwd\\\"\\n.previous\");\n" + twice + entry);
+  EXPECT_EQ(program.outcome, Outcome::Compile);
+  EXPECT_NE(program.message.find("/etc/passwd"), std::string::npos) << program.message;
+}
+#endif
 
 TEST(ShowFailure, LeavesTheSourceOutOnlyUnderItsCall) {
   FailedTest failure;
@@ -282,7 +307,39 @@ TEST_F(Check, AnExceptionOfAMegabyteIsCut) {
 TEST_F(Check, EndlessRecursionIsNamed) {
   EXPECT_EQ(
       firstMessage(twice + "double entry(const std::vector<double>& list, int i) { return 1 + entry(list, i); }\n"),
-      "entry called itself without end: stack overflow");
+      std::string("entry ") + stackOverflowSentence);
+}
+
+TEST_F(Check, ALocalArrayLargerThanTheStackIsNamed) {
+  EXPECT_EQ(firstMessage(twice +
+                         "double entry(const std::vector<double>& list, int i) {\n"
+                         "  volatile double copy[3000000];\n  copy[i] = list[std::size_t(i)];\n  return copy[i];\n}\n"),
+            std::string("entry ") + stackOverflowSentence);
+}
+
+#ifdef __GLIBC__
+TEST_F(Check, AFloatingPointOperationThatIsMadeToTrapIsNoIntegerDivision) {
+  EXPECT_EQ(
+      firstMessage(twice + "#include <cfenv>\ndouble entry(const std::vector<double>&, int i) {\n"
+                           "  feenableexcept(FE_DIVBYZERO);\n  volatile double zero = 0;\n  return i / zero;\n}\n"),
+      std::string("entry ") + trapSentence);
+}
+#endif
+
+TEST_F(Check, WhatHappensAfterTheLastAnswerCostsNothing) {
+  EXPECT_TRUE(
+      run("namespace { struct Late { ~Late() { for (volatile int i = 1; i > 0;) {} } } late; }\n" + twice + entry)
+          .allPassed());
+  EXPECT_TRUE(run("namespace { struct Late { ~Late() { std::abort(); } } late; }\n" + twice + entry).allPassed());
+}
+
+TEST_F(Check, AnExceptionOfManyLinesIsShownOnOne) {
+  const TestReport report =
+      run("#include <stdexcept>\nVec3 twice(const Vec3&) { throw std::runtime_error(std::string(9000, '\\n')); }\n" +
+          entry);
+  ASSERT_EQ(report.failures.size(), 1U);
+  const std::string shown = showFailure(report.failures[0]);
+  EXPECT_LE(std::ranges::count(shown, '\n'), 4) << shown;
 }
 
 TEST_F(Check, AnEndlessLoopIsNamed) {
@@ -296,7 +353,12 @@ TEST_F(Check, ABadPointerAnExceptionAndAnExitAreNamed) {
   const std::string head = "double entry(const std::vector<double>&, int) { ";
   EXPECT_EQ(firstMessage(twice + head + "volatile double* p = nullptr; return *p; }\n"),
             "entry used memory that is not its own: an index or a pointer is wrong");
-  EXPECT_EQ(firstMessage(twice + head + "throw 3; }\n"), "entry threw something that is no std::exception");
+  EXPECT_EQ(firstMessage(twice + head + "throw 3; }\n"), "entry " + thrownSentence(""));
+  EXPECT_EQ(
+      firstMessage("namespace { struct Bad : std::exception { const char* what() const noexcept override { return "
+                   "nullptr; } }; }\n" +
+                   twice + head + "throw Bad(); }\n"),
+      "entry " + thrownSentence(""));
   EXPECT_EQ(firstMessage(twice + head + "throw std::runtime_error(\"not yet\"); }\n"),
             "entry threw an exception: not yet");
   EXPECT_EQ(firstMessage(twice + head + "std::exit(0); }\n"), "entry called exit(): a function must return");

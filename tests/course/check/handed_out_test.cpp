@@ -40,6 +40,7 @@ TEST_F(HandedOut, AChangedOrMissingFileIsNamed) {
   EXPECT_EQ(changedHandedOut(root_, "spring"),
             (std::vector<std::string>{"exercises/spring/spring.h", "framework/harness/types.h"}));
   EXPECT_EQ(changedHandedOut(root_, "other"), std::vector<std::string>{"framework/harness/types.h"});
+  EXPECT_EQ(changedHandedOut(root_).size(), 2U);
   EXPECT_TRUE(sayChanged({"exercises/spring/spring.h"}).starts_with("exercises/spring/spring.h is not as it was"));
 }
 

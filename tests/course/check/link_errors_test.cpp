@@ -47,6 +47,19 @@ TEST(LinkErrors, AnotherSignatureIsFound) {
       std::string::npos);
 }
 
+TEST(LinkErrors, AnInlineFunctionIsNoneForOthers) {
+  EXPECT_EQ(explain(mold, "\ninline Vec3 springForce(const Vec3& xa) { return xa; }\n"),
+            declaration + "      = spring.cpp:2 is inline: nothing outside the file can call it; remove inline\n");
+}
+
+TEST(LinkErrors, OfManyTheFirstFewAreShown) {
+  std::string words;
+  for (int i = 0; i < 400; ++i) words += "mold: error: undefined symbol: helper" + std::to_string(i) + "(double)\n";
+  EXPECT_EQ(explain(words, ""),
+            "spring.cpp calls helper0, which is written nowhere\nspring.cpp calls helper1, which is written nowhere\n"
+            "spring.cpp calls helper2, which is written nowhere\nand 397 more that are missing\n");
+}
+
 TEST(LinkErrors, AHelperThatIsWrittenNowhereIsNamed) {
   EXPECT_EQ(explain("mold: error: undefined symbol: stretch(double)\n", ""),
             "spring.cpp calls stretch, which is written nowhere\n");

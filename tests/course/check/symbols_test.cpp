@@ -32,9 +32,87 @@ TEST(Symbols, TheCauseIsNamedAsTheStudentWritesIt) {
   }
 }
 
+/// Each ends a worker of the grader by its filter of system calls.
+TEST(Symbols, WhatTheGraderWouldEndIsRefusedByName) {
+  for (const char* name : {"setlocale",
+                           "_ZNSt6localeC1EPKc",
+                           "newlocale",
+                           "ctime",
+                           "localtime",
+                           "localtime_r",
+                           "gmtime",
+                           "mktime",
+                           "timegm",
+                           "strftime",
+                           "tzset",
+                           "sysconf",
+                           "get_nprocs",
+                           "getcwd",
+                           "__getcwd_chk",
+                           "chdir",
+                           "realpath",
+                           "isatty",
+                           "ttyname",
+                           "getrusage",
+                           "getrlimit64",
+                           "times",
+                           "perror",
+                           "dprintf",
+                           "fseek",
+                           "fclose",
+                           "umask",
+                           "gethostname",
+                           "uname",
+                           "getuid",
+                           "popen",
+                           "dlopen",
+                           "getpwuid",
+                           "statvfs",
+                           "nice",
+                           "usleep",
+                           "sched_getaffinity",
+                           "pthread_setname_np",
+                           "_ZNSt6thread20hardware_concurrencyEv",
+                           "_ZNSt13random_device7_M_initERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEE",
+                           "_ZNSt10filesystem12current_pathB5cxx11Ev"}) {
+    EXPECT_EQ(judge(std::string(name) + " U\n").outcome, Outcome::Forbidden) << name;
+  }
+  EXPECT_EQ(judge("localtime U\n").message,
+            "it asks for the time of a place (localtime): what it needs comes as arguments");
+  EXPECT_EQ(judge("__getcwd_chk U\n").message, "it works with files (getcwd): what it needs comes as arguments");
+}
+
+TEST(Symbols, TheProgramsMemoryIsNotReplaced) {
+  for (const char* name : {"_Znwm", "_ZnamSt11align_val_t", "_ZnwmRKSt9nothrow_t"}) {
+    const SymbolVerdict verdict = judge(std::string(name) + " T 0 5\n");
+    EXPECT_EQ(verdict.outcome, Outcome::Forbidden) << name;
+    EXPECT_EQ(verdict.message, "it replaces operator new for the whole program: leave it out");
+  }
+  for (const char* name : {"_ZdlPv", "_ZdaPvm", "_ZdlPvmSt11align_val_t", "malloc", "free", "realloc"}) {
+    EXPECT_EQ(judge(std::string(name) + " T 0 5\n").outcome, Outcome::Forbidden) << name;
+  }
+  // Placement, a pool's, a class's.
+  EXPECT_EQ(judge("_ZnwmPv W 0 5\n_ZnwmR4Pool T 0 5\n_ZN4PoolnwEm T 0 5\n_ZdlPvR4Pool T 0 5\n").outcome,
+            Outcome::Passed);
+}
+
+TEST(Symbols, ATableThatDoesNotFitIsNamed) {
+  const SymbolVerdict verdict = judge("table B 0 47868c00\n_Z4massd T 0 8\n");
+  EXPECT_EQ(verdict.outcome, Outcome::Crash);
+  EXPECT_EQ(verdict.message,
+            "it does not fit into memory: table takes 1144 MiB of memory before anything runs; all static variables "
+            "together may take 512");
+  EXPECT_NE(judge("_ZL5table b 0 ffffffffffffffff\n_ZL5other b 0 ffffffffffffffff\n").outcome, Outcome::Passed);
+  EXPECT_EQ(judge("_ZL5table b 0 10000000\n_Z4massd T 0 80000000\n").outcome, Outcome::Passed);
+}
+
 TEST(Symbols, WhatComputingNeedsIsAllowed) {
   EXPECT_EQ(judge("_ZSt4cout U\nprintf U\nputs U\nabort U\nexit U\nmalloc U\nfree U\nmemcpy U\n_Znwm U\n_ZdlPvm U\n"
-                  "__cxa_atexit U\n_ZNSt8ios_base4InitC1Ev U\nstderr U\nfprintf U\nclock U\ntime U\nrand U\n")
+                  "__cxa_atexit U\n_ZNSt8ios_base4InitC1Ev U\nstderr U\nfprintf U\nclock U\ntime U\nrand U\n"
+                  "clock_gettime U\n_ZNSt6chrono3_V212steady_clock3nowEv U\nsetvbuf U\nfflush U\ngetpagesize U\n"
+                  "_ZNSt6localeC1Ev U\n_ZNSt6locale7classicEv U\n_ZNSt6localeC1ERKS_ U\n__sprintf_chk U\n"
+                  "_ZNSt7__cxx1118basic_stringstreamIcSt11char_traitsIcESaIcEEC1Ev U\n__memcpy_chk U\nstrtod U\n"
+                  "posix_memalign U\nlocaleconv U\nstrerror U\nasctime U\ndifftime U\n")
                 .outcome,
             Outcome::Passed);
 }

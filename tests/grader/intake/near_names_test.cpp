@@ -1,3 +1,4 @@
+#include "course/check/handed_out.h"
 #include "tools.h"
 
 #include <fmt/format.h>
@@ -69,6 +70,14 @@ TEST_F(HandInStubs, DoNotHideThatTwoOthersDiffer) {
   folder_.write("a/spring_1d.cpp", "one");
   folder_.write("b/spring_1d.cpp", "two");
   EXPECT_NE(take().refused.at("spring_1d").find("'a/spring_1d.cpp' and 'b/spring_1d.cpp' differ"), std::string::npos);
+}
+
+TEST_F(HandInNames, AContractIsNotTakenButItsHashIs) {
+  folder_.write("spring_1d/spring_1d.cpp", "one");
+  folder_.write("spring_1d/spring_1d.h", "double f();\r\n");
+  const Submission s = take();
+  EXPECT_EQ(s.contracts.at("spring_1d"), std::set<std::uint64_t>{handedOutHash("double f();\n")});
+  EXPECT_FALSE(s.contracts.contains("triangle"));
 }
 
 TEST_F(HandInNames, TwoNearOnesThatDifferAreBothNamed) {

@@ -56,7 +56,7 @@ using namespace misbehaviour;
 INSTANTIATE_TEST_SUITE_P(
     Each, Misbehaviour,
     ::testing::Values(Fault{Throw, "misbehave threw an exception: the spring is broken"},
-                      Fault{ThrowNumber, "threw an exception: an object that is no std::exception"},
+                      Fault{ThrowNumber, "misbehave threw something without a text: no std::exception"},
                       Fault{IndexOutOfRange, "index 3 of a 3-vector in misbehave", Outcome::Crash},
                       Fault{StackOverflow, "misbehave ran out of stack", Outcome::Crash},
                       Fault{NullPointer, "misbehave crashed: it used memory that is not its own", Outcome::Crash},
