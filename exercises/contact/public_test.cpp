@@ -8,8 +8,6 @@ namespace {
 const Vec3 origin(0, 0, 0);
 const Vec3 up(0, 0, 1);
 
-}  // namespace
-
 TEST(PlaneContact, PushesANodeInside) {
   MUELLE_PROPERTY("a node at rest, 0.1 m below the ground of 100 N/m, is pushed up with 10 N");
   EXPECT_VECTOR_NEAR(submission::planeContact(Vec3(3, 4, -0.1), origin, origin, up, 100.0, 5.0), Vec3(0, 0, 10), 1e-9);
@@ -74,3 +72,5 @@ TEST(Friction, GrowsFromZero) {
   EXPECT_VECTOR_NEAR(submission::frictionForce(Vec3(0, 0.01, 0), up, 10.0, 0.3, 100.0), Vec3(0, -1, 0), 1e-9);
   EXPECT_VECTOR_NEAR(submission::frictionForce(origin, up, 10.0, 0.3, 100.0), origin, 0.0);
 }
+
+}  // namespace

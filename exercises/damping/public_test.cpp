@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+namespace {
+
 TEST(NodeDamping, BrakesAMovingNode) {
   MUELLE_PROPERTY("with d = 0.5 N s/m a node at (2, 0, -4) m/s is braked with (-1, 0, 2) N");
   EXPECT_VECTOR_NEAR(submission::nodeDamping(Vec3(2, 0, -4), 0.5), Vec3(-1, 0, 2), 1e-12);
@@ -43,3 +45,5 @@ TEST(ShortSpring, HasADirectionAtOneNanometre) {
   const Vec3 force = submission::projectedDamping(Vec3(1e-9, 0, 0), Vec3(0, 0, 0), Vec3(2, 3, 0), Vec3(0, 0, 0), 1.0);
   EXPECT_VECTOR_NEAR(force, Vec3(-2, 0, 0), 1e-9);
 }
+
+}  // namespace

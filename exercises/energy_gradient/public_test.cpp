@@ -17,8 +17,6 @@ Vec6 stacked(const Vec3& xa, const Vec3& xb) {
 const Vec3 farNode(3, 0, 4);
 const Vec3 origin(0, 0, 0);
 
-}  // namespace
-
 TEST(EnergyInOneDimension, OfAStretchedSpring) {
   MUELLE_PROPERTY("k = 10, L0 = 3, nodes at 5 and 0: the stretch is 2, the energy 20 J");
   EXPECT_NUMBER_NEAR(submission::springEnergy1d(Vec2(5, 0), 10, 3), 20.0, 1e-9);
@@ -76,3 +74,5 @@ TEST(TinyLengths, HaveADirection) {
   MUELLE_PROPERTY("a spring of 1e-9 m has a direction");
   EXPECT_VECTOR_NEAR(submission::lengthGradient(Vec3(0, 0, 1e-9), origin), Vec3(0, 0, 1), 1e-9);
 }
+
+}  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+namespace {
+
 TEST(LumpedMass, FourNodesShareTwoKilograms) {
   MUELLE_PROPERTY("2 kg shared out among 4 nodes are 0.5 kg a node");
   EXPECT_NUMBER_NEAR(submission::lumpedMass(2.0, 4), 0.5, 1e-12);
@@ -47,3 +49,5 @@ TEST(NodeBetween, BothSpringsPushItBackToTheMiddle) {
   MUELLE_PROPERTY("0.1 m above the middle, 100 N/m below and 300 N/m above pull 2 kg down with 20 m/s^2 (no gravity)");
   EXPECT_NUMBER_NEAR(submission::accelerationBetween(1.1, 2.0, {0.0, 100.0, 1.0}, {2.0, 300.0, 1.0}, 0.0), -20.0, 1e-9);
 }
+
+}  // namespace

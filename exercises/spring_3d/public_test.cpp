@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+namespace {
+
 TEST(Magnitude, IsNegativeWhenStretched) {
   MUELLE_PROPERTY("a spring of 100 N/m and 4 m at rest, stretched to 5 m, has the magnitude -100 N");
   EXPECT_NUMBER_NEAR(submission::springForceMagnitude(Vec3(3, 0, 4), Vec3(0, 0, 0), 100.0, 4.0), -100.0, 1e-9);
@@ -44,3 +46,5 @@ TEST(NodeAcceleration, AddsTheSpringsAndTheWeight) {
   const std::vector<Attachment> springs = {{Vec3(2, 0, 0), 50.0, 1.0}, {Vec3(0, 0, 2), 50.0, 1.0}};
   EXPECT_VECTOR_NEAR(submission::nodeAcceleration(Vec3(0, 0, 0), 2.0, springs, 10.0), Vec3(25, 0, 15), 1e-9);
 }
+
+}  // namespace

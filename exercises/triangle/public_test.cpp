@@ -16,8 +16,6 @@ Vec9 stacked(const Vec3& x0, const Vec3& x1, const Vec3& x2) {
 const Vec9 corners = stacked(Vec3(0, 0, 0), Vec3(3, 0, 0), Vec3(0, 4, 0));
 const Vec3 k(10, 20, 30);
 
-}  // namespace
-
 TEST(MassMatrix, GivesEveryComponentTheMassOfItsNode) {
   MUELLE_PROPERTY("with the masses 1, 2 and 3 kg the diagonal reads 1 1 1 2 2 2 3 3 3");
   const Mat9 M = submission::massMatrix(Vec3(1, 2, 3));
@@ -79,3 +77,5 @@ TEST(TinyLengths, HaveADirection) {
   const Vec9 expected = stacked(Vec3(-30, 0, 0), Vec3(30, 0, 0), Vec3(0, 0, 0));
   EXPECT_VECTOR_NEAR(submission::triangleForce(x, k, Vec3(3, 4, 4)), expected, 1e-6);
 }
+
+}  // namespace

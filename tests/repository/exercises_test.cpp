@@ -94,6 +94,15 @@ TEST_F(EveryExercise, StatesEachMisconceptionThatItsTestsKnow) {
   }
 }
 
+// Else a class of the student's could meet one that GoogleTest makes of a public test, in the check alone.
+TEST_F(EveryExercise, KeepsItsPublicTestsInAnUnnamedNamespace) {
+  for (const Manifest& exercise : course) {
+    const std::string tests = contentOf(source / "exercises" / exercise.topic / "public_test.cpp");
+    EXPECT_LT(tests.find("\nnamespace {\n"), tests.find("\nTEST(")) << exercise.topic;
+    EXPECT_TRUE(tests.ends_with("\n}  // namespace\n")) << exercise.topic;
+  }
+}
+
 TEST_F(EveryExercise, NamesFunctionsOfItsContract) {
   for (const Manifest& exercise : course) {
     const std::string contract = contentOf(source / "exercises" / exercise.topic / (exercise.topic + ".h"));

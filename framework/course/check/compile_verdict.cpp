@@ -72,6 +72,7 @@ CompileVerdict undecided(const ToolRun& run, const CompileLimits& limits, std::s
   } else if (passedFileSize(run)) {
     verdict.outcome = Outcome::Compile;
     verdict.message = fmt::format("the compiled file is larger than {} MiB", limits.product >> 20U);
+    verdict.diagnostics.clear();  // the compiler calls it an error of its own, to be reported
   } else if (ranOutOfMemory(run.words)) {
     verdict.outcome = Outcome::Compile;
     verdict.message = fmt::format("{} took more than {} MiB of memory", step, limits.memory >> 20U);

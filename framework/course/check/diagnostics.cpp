@@ -83,6 +83,9 @@ struct Statement {
 std::optional<Statement> readStatement(std::string_view line) {
   static constexpr std::pair<std::string_view, Kind> words[] = {{": fatal error: ", Kind::Error},
                                                                 {": error: ", Kind::Error},
+                                                                // The assembler's, of an asm in the file.
+                                                                {": Fatal error: ", Kind::Error},
+                                                                {": Error: ", Kind::Error},
                                                                 {": warning: ", Kind::Warning},
                                                                 {": note: ", Kind::Note}};
   for (const auto& [word, kind] : words) {

@@ -460,11 +460,15 @@ std::string_view replacedOperator(std::string_view symbol) {
 
 /// What of the program's memory the file replaces, as the student writes it; "" when nothing.
 std::string_view replacedAllocator(const std::vector<std::string>& defined) {
+  // nm sorts by name: delete would come first, and nobody replaces it alone.
+  std::string_view released;
   for (const std::string& symbol : defined) {
-    if (const std::string_view name = replacedOperator(symbol); !name.empty()) return name;
+    const std::string_view name = replacedOperator(symbol);
+    if (name == "operator new") return name;
+    if (!name.empty()) released = name;
     if (const auto found = std::ranges::find(allocators, symbol); found != allocators.end()) return *found;
   }
-  return "";
+  return released;
 }
 
 /// Names that others look up in the program that a student's file becomes part of; those of C++ carry their types and

@@ -143,5 +143,13 @@ TEST(Diagnostics, SurvivesNonsense) {
   EXPECT_NE(cutDiagnostics("spring.cpp:-5:-1: error: x\n", springFiles), "");
 }
 
+TEST(Diagnostics, AnErrorOfTheAssemblersIsAnError) {
+  const auto found = parseDiagnostics("spring.cpp: Assembler messages:\nspring.cpp:2: Error: file not found: /x\n",
+                                      {{"spring.cpp", "\nasm(\"\");\n"}});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].message, "file not found: /x");
+  EXPECT_EQ(found[0].line, 2);
+}
+
 }  // namespace
 }  // namespace muelle

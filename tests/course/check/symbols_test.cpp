@@ -91,6 +91,8 @@ TEST(Symbols, TheProgramsMemoryIsNotReplaced) {
   for (const char* name : {"_ZdlPv", "_ZdaPvm", "_ZdlPvmSt11align_val_t", "malloc", "free", "realloc"}) {
     EXPECT_EQ(judge(std::string(name) + " T 0 5\n").outcome, Outcome::Forbidden) << name;
   }
+  EXPECT_EQ(judge("_ZdlPv T 0 5\n_Znwm T 0 5\n").message,
+            "it replaces operator new for the whole program: leave it out");
   // Placement, a pool's, a class's.
   EXPECT_EQ(judge("_ZnwmPv W 0 5\n_ZnwmR4Pool T 0 5\n_ZN4PoolnwEm T 0 5\n_ZdlPvR4Pool T 0 5\n").outcome,
             Outcome::Passed);

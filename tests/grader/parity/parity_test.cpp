@@ -40,8 +40,6 @@ constexpr auto exceptions = std::to_array<Exception>({
     {"data_as_code", "asks the kernel by an instruction that it keeps as data"},
     {"forged_signal_frame", "asks the kernel by an instruction of its own"},
     {"other_architecture", "asks the kernel by an instruction of its own"},
-    {"include_proc",
-     "asks the compiler for files that a student's machine has and the sandbox of the compiler has not"},
     {"has_include_oracle", "asks the compiler for files that a student's machine has"},
     {"huge_initialiser", "meets the compiler's limits of time and of memory at nearly the same moment"},
 });

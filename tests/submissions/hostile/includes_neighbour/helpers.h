@@ -1,0 +1,3 @@
+#pragma once
+
+inline double share(double M, int n) { return M / n; }
