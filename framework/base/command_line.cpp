@@ -26,6 +26,11 @@ CommandLineOption& CommandLineOption::excludes(const CommandLineOption& other) {
   return *this;
 }
 
+CommandLineOption& CommandLineOption::separator(char between) {
+  option_->delimiter(between);
+  return *this;
+}
+
 CommandLineOption& CommandLineOption::oneOf(const std::vector<std::string>& words) {
   option_->check(CLI::IsMember(words));
   return *this;

@@ -22,6 +22,8 @@ class CommandLineOption {
   CommandLineOption& range(int low, int high);
   /// The two are not given together.
   CommandLineOption& excludes(const CommandLineOption& other);
+  /// One word may hold several values.
+  CommandLineOption& separator(char between);
   /// Only these words.
   CommandLineOption& oneOf(const std::vector<std::string>& words);
   /// --help shows the value that the target has now.

@@ -2,6 +2,7 @@
 
 #include "support/linear_system.h"
 #include "test_methods.h"
+#include "test_systems.h"
 
 #include <gtest/gtest.h>
 #include <cmath>
