@@ -116,7 +116,8 @@ bool isArchive(const std::string& name, std::string_view head) {
 std::optional<StandIn> standIn(const std::string& name, std::string_view head) {
   const std::string lower = lowerCase(name);
   for (const Ending& ending : endings) {
-    if (lower.size() > ending.suffix.size() && lower.ends_with(ending.suffix))
+    // "hand_in.tar.gz" is an archive that is opened, a compressed file alone is not.
+    if (lower.size() > ending.suffix.size() && lower.ends_with(ending.suffix) && !isArchiveName(name))
       return StandIn{nameInside(name, ending.suffix.size()), ending.why};
   }
   return unopened(lower, head);

@@ -32,6 +32,17 @@ class Packages : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
+TEST_F(Packages, OfEveryKindAreTakenUnderTheirUsualName) {
+  const std::vector<std::pair<const char*, Format>> kinds{
+      {"ana.tar.gz", Format::TarGzip}, {"ana.tgz", Format::TarGzip},     {"ana.tar.bz2", Format::TarBzip2},
+      {"ana.tar.xz", Format::TarXz},   {"ana.tar.zst", Format::TarZstd}, {"ana.tar", Format::Tar},
+      {"ana.zip", Format::Zip},        {"ana.7z", Format::SevenZip}};
+  for (const auto& [name, format] : kinds) {
+    writeArchive(folder_.path() / name, format, {{"spring_1d.cpp", "one"}});
+    EXPECT_TRUE(takeSubmission(folder_.path() / name, smallCourse()).sources.contains("spring_1d")) << name;
+  }
+}
+
 TEST_F(Packages, AreKnownByTheirContentWhateverTheirName) {
   for (const char* name : {"handin", "handin.zip (1)", "Ana.hand-in", "spring_1d.cpp"}) {
     for (const Format format : {Format::Zip, Format::SevenZip, Format::Tar}) {
