@@ -58,7 +58,7 @@ expect 0 "10 / 10" --only "$topic" "$topic.cpp" --out once
 expect 0 "cid" --only "$topic" --class class --out graded
 [[ -s once/results.json && -s graded/reports/cid/results.json ]] || fail "reports are missing"
 rm -r "$topic.cpp" class/cid
-echo "no archive" >class/cid
+printf 'PK\003\004 and nothing more' >class/cid
 expect 1 "no score" --only "$topic" --class class --out graded
 expect 2 "cannot read the submission" --only "$topic" "$topic.cpp" --out once
 [[ ! -e once/results.json ]] || fail "a score stays of a hand-in that is gone"

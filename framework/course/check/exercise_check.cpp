@@ -20,6 +20,8 @@ namespace {
 /// Wide: the program counts its own processor time, and ends itself long before on a machine that lets it work.
 constexpr int wallSeconds = 60;
 constexpr unsigned processorSeconds = 15;
+/// Sanitizers slow a program down: its limits of time are so many times as wide, as it counts them itself ("slowly").
+constexpr unsigned sanitizedFactor = 4;
 
 constexpr std::size_t memory = 1UL << 30U;  ///< [bytes] as the grader's
 
@@ -43,10 +45,11 @@ CommandResult runStudentProgram(const std::vector<std::string>& command, Instrum
 #ifndef __APPLE__
   if (instrumented == Instrumented::No) spec.limits.addressSpace = memory;
 #endif
-  spec.limits.cpuSeconds = processorSeconds;
+  const unsigned factor = instrumented == Instrumented::Yes ? sanitizedFactor : 1;
+  spec.limits.cpuSeconds = factor * processorSeconds;
   spec.limits.stack = 8U << 20U;  // an endless recursion must meet the end of the stack before the end of the memory
   constexpr std::size_t bytes = 65536;
-  return runCommand(spec, {std::chrono::seconds(wallSeconds), bytes, 0, 16 * bytes, true});
+  return runCommand(spec, {factor * std::chrono::seconds(wallSeconds), bytes, 0, 16 * bytes, true});
 }
 
 /// Of the plain build: Yes in a build folder that has sanitizers everywhere.
@@ -157,7 +160,7 @@ class ReportReader {
 /// What the sanitizers find in the second build; "" when they confirm nothing.
 std::string secondLook(const StudentProgram& program) {
   if (program.sanitized.empty()) return "";
-  const CommandResult result = runStudentProgram({program.sanitized.string(), "tests"}, Instrumented::Yes);
+  const CommandResult result = runStudentProgram({program.sanitized.string(), "tests", "slowly"}, Instrumented::Yes);
   return explainSanitizers(result.out, program.students);
 }
 
