@@ -118,7 +118,7 @@ void installHandlers() {
   sigaltstack(&alternative, nullptr);
   struct sigaction action {};
   action.sa_sigaction = onFault;
-  action.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_RESETHAND;
+  action.sa_flags = static_cast<int>(SA_SIGINFO | SA_ONSTACK | SA_RESETHAND);
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGSYS}) sigaction(signal, &action, nullptr);
 }
 
