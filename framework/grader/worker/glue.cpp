@@ -8,6 +8,7 @@
 #include <exception>
 
 namespace std {
+// NOLINTNEXTLINE(bugprone-reserved-identifier): the standard library calls it by this name
 [[noreturn]] void __glibcxx_assert_fail(const char* file, int line, const char* function,
                                         const char* condition) noexcept;
 }
