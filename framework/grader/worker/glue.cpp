@@ -11,7 +11,7 @@ namespace std {
 // NOLINTNEXTLINE(bugprone-reserved-identifier): the standard library calls it by this name
 [[noreturn]] void __glibcxx_assert_fail(const char* file, int line, const char* function,
                                         const char* condition) noexcept;
-}
+}  // namespace std
 
 namespace {
 
