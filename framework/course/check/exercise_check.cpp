@@ -2,6 +2,7 @@
 
 #include "base/process/child.h"
 #include "base/text/printable.h"
+#include "course/check/crash_report.h"
 #include "course/check/report_line.h"
 #include "course/check/sanitizer_report.h"
 #include "course/testing/common_mistake.h"
@@ -20,8 +21,6 @@ namespace {
 /// Wide: the program counts its own processor time, and ends itself long before on a machine that lets it work.
 constexpr int wallSeconds = 60;
 constexpr unsigned processorSeconds = 15;
-/// Sanitizers slow a program down: its limits of time are so many times as wide, as it counts them itself ("slowly").
-constexpr unsigned sanitizedFactor = 4;
 
 constexpr std::size_t memory = 1UL << 30U;  ///< [bytes] as the grader's
 

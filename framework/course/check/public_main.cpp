@@ -2,7 +2,7 @@
 /// The program that the student's check runs: the public tests, or the demo, on the student's functions.
 ///
 ///     program tests          runs the tests
-///     program tests slowly   the same with four times the processor time, in the build with sanitizers
+///     program tests slowly   the same, in the build with sanitizers (sanitizedFactor)
 ///     program demo FOLDER    draws the demo's figures into the folder
 ///
 /// What happens goes to descriptor 3 as report lines (report_line.h), whatever the student's code prints or breaks.
@@ -173,7 +173,7 @@ int main(int argc, char** argv) {
 #endif
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // a crash must not swallow what was printed before it
   const bool isSlow = argc == 3 && std::string(argv[1]) == "tests" && std::string(argv[2]) == "slowly";
-  muelle::watchForCrashes(isSlow ? 4 : 1);
+  muelle::watchForCrashes(isSlow ? muelle::sanitizedFactor : 1);
   const bool drawsDemo = argc == 3 && std::string(argv[1]) == "demo";
   const int status = drawsDemo ? muelle::drawDemo(argv[2]) : muelle::runTests(argc, argv);
   muelle::ReportingListener::report("done", "");
