@@ -73,8 +73,8 @@ TEST_F(ArchivePaths, ThatLeadOutsideAreIgnored) {
 }
 
 TEST_F(ArchivePaths, ThatAllLeadOutsideAreNotCalledEmpty) {
-  const Submission s = take({{"/work/notes", "absolute"}});
-  EXPECT_NE(s.refused.at("spring_1d").find("all that was handed in is passed over; ignored /work/notes: an absolute"),
+  const Submission s = take({{"/notes", "absolute"}});
+  EXPECT_NE(s.refused.at("spring_1d").find("all that was handed in is passed over; ignored /notes: an absolute"),
             std::string::npos);
 }
 
