@@ -24,6 +24,7 @@ struct ToolRun {
   bool timedOut = false;          ///< it passed the wall limit
   int signal = 0;                 ///< that ended the driver itself; 0: none
   double processorSeconds = 0.0;  ///< of all its processes; 0 when unknown
+  bool wordsCut = false;          ///< it wrote more than was kept
 };
 
 /// What a build came to.

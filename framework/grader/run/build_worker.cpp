@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "course/check/compile_verdict.h"
 #include "course/check/probe.h"
+#include "course/check/second_look.h"
 #include "course/check/symbols.h"
 #include "grader/run/compile.h"
 
@@ -61,6 +62,7 @@ class Builder {
     run.succeeded = succeeded;
     run.timedOut = result.timedOut;
     run.processorSeconds = result.status.cpuSeconds;
+    run.wordsCut = result.errCut;
     if (result.status.signalled) run.signal = result.status.code;
     if (!result.status.signalled && result.status.code > signalled) run.signal = result.status.code - signalled;
     return run;
@@ -129,16 +131,23 @@ class Builder {
     object.outcome = {Status::Built, "", verdict.diagnostics, Outcome::Passed};
     store_.write(key_, objectSuffix, compilation.run.out);
     object.plain = store_.file(key_, objectSuffix);
-    if (wantsSecondLook(compilation.run.err, studentFiles(sources_))) {
-      const Compilation second = compile(workplace_, manifest_, sources_, sandbox_, Build::Sanitised);
-      if (second.stage != Compilation::Stage::Done) {
-        return ours("the build with sanitizers failed: " + second.run.err.substr(0, 300));
-      }
-      store_.write(key_, sanitisedSuffix, second.run.out);
-      object.sanitised = store_.file(key_, sanitisedSuffix);
-    }
+    if (wantsSecondLook(toolRun(compilation.run, true), studentFiles(sources_))) addSanitised(object);
     write(object);
     return object;
+  }
+
+  /// What the plain build was good for stays, whatever becomes of this one: its failure is nobody's fault.
+  void addSanitised(BuiltObject& object) const {
+    Compilation second = compile(workplace_, manifest_, sources_, sandbox_, Build::Sanitised);
+    if (second.stage == Compilation::Stage::Elsewhere) {  // killed, perhaps by the machine
+      second = compile(workplace_, manifest_, sources_, sandbox_, Build::Sanitised);
+    }
+    if (second.stage == Compilation::Stage::Done) {
+      store_.write(key_, sanitisedSuffix, second.run.out);
+      object.sanitised = store_.file(key_, sanitisedSuffix);
+    } else {
+      object.outcome.diagnostics += sayNoSecondLook(toolRun(second.run, false), studentFiles(sources_));
+    }
   }
 
   BuiltObject refuse(const CompileVerdict& verdict) const {

@@ -50,6 +50,13 @@ void addPrelude(const Workplace& workplace, Confinement& confinement) {
   }
 }
 
+/// The header was precompiled with the plain flags. What it holds is there all the same, under the same names, so that
+/// no source can ask which build it is part of.
+void addPlainPrelude(Confinement& confinement) {
+  confinement.files.push_back({"/prelude/prelude.h", {}, "#include \"harness/exercise.h\"\n", false});
+  confinement.files.push_back({"/prelude/prelude.h.gch", {}, "none", false});
+}
+
 Confinement confinementOf(const Workplace& workplace, const Manifest& manifest, const Sources& sources,
                           SandboxChoice sandbox, Build build) {
   Confinement confinement;
@@ -57,7 +64,11 @@ Confinement confinementOf(const Workplace& workplace, const Manifest& manifest, 
   for (const auto& [name, content] : sources) {
     confinement.files.push_back({"/submission/" + name, {}, content, false});
   }
-  if (build != Build::Sanitised) addPrelude(workplace, confinement);  // made with the plain flags
+  if (build == Build::Sanitised) {
+    addPlainPrelude(confinement);
+  } else {
+    addPrelude(workplace, confinement);
+  }
   if (!isOfTheSystem(workplace.compiler)) {
     confinement.files.push_back({"/tools/" + workplace.compiler.filename().string(), workplace.compiler, "", true});
   }
@@ -108,13 +119,13 @@ std::string compileScript(const Workplace& workplace, const Sources& sources, Sa
   const bool isSanitised = build == Build::Sanitised;
   const std::string compiler = insideOf(workplace.compiler);
   return fmt::format(
-      "cd tmp && {0} {1} {2} -I../contract -I../framework -isystem ../eigen -c{3} || exit {4}\n"
-      "nm -P *.o >&3 || exit {5}\n"
-      "{0} {6}{10} {7} *.o {8} -o submission.so || exit {9}\n"
+      "cd tmp && {0} {1} -I../prelude -include prelude.h -I../contract -I../framework -isystem ../eigen -c{2} || exit "
+      "{3}\n"
+      "nm -P *.o >&3 || exit {4}\n"
+      "{0} {5}{9} {6} *.o {7} -o submission.so || exit {8}\n"
       "cat submission.so\n",
-      compiler, joined(isSanitised ? sanitizedCompileFlags() : studentCompileFlags()),
-      isSanitised ? "" : "-I../prelude -include prelude.h", files, compileFailed, symbolsFailed, linkFlags,
-      joined(linkFlagsIn(sandbox, isSanitised)),
+      compiler, joined(isSanitised ? sanitizedCompileFlags() : studentCompileFlags()), files, compileFailed,
+      symbolsFailed, linkFlags, joined(linkFlagsIn(sandbox, isSanitised)),
       build == Build::Probe ? "" : "-Wl,--whole-archive ../glue.a -Wl,--no-whole-archive", linkFailed,
       isSanitised ? "" : " -Wl,-z,defs");  // the host has the sanitizers' own symbols
 }
