@@ -28,6 +28,7 @@ constexpr int asleepLimitSeconds = 10;
 constexpr double nothingSeconds = 0.001;  // of processor time in a second: what a look itself takes
 
 int report = STDERR_FILENO;
+long slowness = 1;  // times the limits of processor time
 char alternateStack[65536];
 std::uintptr_t stackTop = 0;
 std::uintptr_t stackLimit = 0;
@@ -111,8 +112,8 @@ void onTick(int) {
   const bool sameCall = CallRecord::current() != nullptr && CallRecord::count() == seenCount;
   lasted = sameCall ? lasted + tickMilliseconds : 0;
   seenCount = CallRecord::count();
-  if (lasted >= callLimitMilliseconds) sayAndEnd("did not return within 2 s", "processor time");
-  if (total >= totalLimitMilliseconds) {
+  if (lasted >= slowness * callLimitMilliseconds) sayAndEnd("did not return within 2 s", "processor time");
+  if (total >= slowness * totalLimitMilliseconds) {
     sendAndEnd("", "all calls together took more than 10 s of processor time", "processor time");
   }
 }
@@ -193,7 +194,8 @@ void writeReport(std::string_view text) {
   }
 }
 
-void watchForCrashes() {
+void watchForCrashes(unsigned factor) {
+  slowness = factor;
   if (fcntl(reportDescriptor, F_GETFD) >= 0) {
     report = reportDescriptor;
     // gnuplot, which a demo starts, must not hold the report open.

@@ -10,10 +10,11 @@ class EigenMisuse : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
-/// From now on a crash, an endless recursion, a call that takes more than 2 s of processor time (10 s all together), an
-/// exception that nobody catches and an early exit of this process write the lines "outcome<TAB>name" (outcome.h) and
-/// "crash<TAB>sentence" to the report and end the process. The sentence names the student's function that ran.
-void watchForCrashes();
+/// From now on a crash, an endless recursion, a call that takes more than 2 s of processor time (10 s all together;
+/// each `factor` times as much where sanitizers slow the program down), an exception that nobody catches and an early
+/// exit of this process write the lines "outcome<TAB>name" (outcome.h) and "crash<TAB>sentence" to the report and end
+/// the process. The sentence names the student's function that ran.
+void watchForCrashes(unsigned factor = 1);
 
 /// Reports that the student's function that runs has done what `sentence` says, and ends the process.
 [[noreturn]] void endWithCrash(const char* sentence);

@@ -2,6 +2,7 @@
 
 #include "base/process/child.h"
 #include "base/text/printable.h"
+#include "course/check/compile_rules.h"
 #include "course/check/report_line.h"
 #include "course/check/sanitizer_report.h"
 #include "course/testing/common_mistake.h"
@@ -43,10 +44,12 @@ CommandResult runStudentProgram(const std::vector<std::string>& command, Instrum
 #ifndef __APPLE__
   if (instrumented == Instrumented::No) spec.limits.addressSpace = memory;
 #endif
-  spec.limits.cpuSeconds = processorSeconds;
-  spec.limits.stack = 8U << 20U;  // an endless recursion must meet the end of the stack before the end of the memory
+  const unsigned factor = instrumented == Instrumented::Yes ? sanitizedFactor : 1;
+  spec.limits.cpuSeconds = factor * processorSeconds;
+  // An endless recursion must meet the end of the stack before the end of the memory.
+  spec.limits.stack = (instrumented == Instrumented::Yes ? sanitizedStackFactor : 1) * (std::size_t{8} << 20U);
   constexpr std::size_t bytes = 65536;
-  return runCommand(spec, {std::chrono::seconds(wallSeconds), bytes, 0, 16 * bytes, true});
+  return runCommand(spec, {factor * std::chrono::seconds(wallSeconds), bytes, 0, 16 * bytes, true});
 }
 
 /// Of the plain build: Yes in a build folder that has sanitizers everywhere.
@@ -154,16 +157,16 @@ class ReportReader {
   Outcome lastOutcome_ = Outcome::Crash;
 };
 
-/// What the sanitizers find in the second build; "" when they confirm nothing.
-std::string secondLook(const StudentProgram& program) {
-  if (program.sanitized.empty()) return "";
-  const CommandResult result = runStudentProgram({program.sanitized.string(), "tests"}, Instrumented::Yes);
+/// What the sanitizers find in the second build. How it ends otherwise says nothing: everything is dearer there.
+SanitizerFinding secondLook(const StudentProgram& program) {
+  if (program.sanitized.empty()) return {};
+  const CommandResult result = runStudentProgram({program.sanitized.string(), "tests", "slowly"}, Instrumented::Yes);
   return explainSanitizers(result.out, program.students);
 }
 
 /// Puts what the second look has confirmed before everything else.
-void addConfirmed(const std::string& finding, TestReport& report) {
-  if (finding.empty()) return;
+void addConfirmed(const SanitizerFinding& finding, TestReport& report) {
+  if (finding.sentence.empty()) return;
   if (report.failures.empty()) {
     FailedTest failure;
     failure.name = "memory";
@@ -171,8 +174,8 @@ void addConfirmed(const std::string& finding, TestReport& report) {
     report.passed = 0;
   }
   FailedTest& first = report.failures.front();
-  first.messages.insert(first.messages.begin(), finding);
-  first.outcome = Outcome::Crash;
+  first.messages.insert(first.messages.begin(), finding.sentence);
+  first.outcome = finding.outcome;
 }
 
 }  // namespace

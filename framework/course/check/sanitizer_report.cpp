@@ -12,6 +12,7 @@ namespace {
 struct Kind {
   std::string_view word;  ///< AddressSanitizer's
   std::string_view sentence;
+  Outcome outcome = Outcome::Crash;
 };
 
 constexpr const char* beyondMemory = "reads or writes beyond the end of a std::vector or of memory from new";
@@ -35,15 +36,23 @@ constexpr auto kinds = std::to_array<Kind>({
     {"heap-buffer-overflow", beyondMemory},
     {"container-overflow", beyondMemory},
     {"global-buffer-overflow", "reads or writes beyond the end of a global array or constant"},
-    {"stack-overflow", "ran out of stack: does it call itself without end, or hold a huge local array?"},
-    {"requested allocation size", tooMuch},
-    {"allocation-size-too-big", tooMuch},
-    {"calloc-overflow", tooMuch},
-    {"out of memory", tooMuch},
-    {"out-of-memory", tooMuch},
+    {"stack-overflow", "ran out of stack: does it call itself without end, or hold a huge local array?",
+     Outcome::Passed},
+    {"requested allocation size", tooMuch, Outcome::Passed},
+    {"allocation-size-too-big", tooMuch, Outcome::Passed},
+    {"calloc-overflow", tooMuch, Outcome::Passed},
+    {"out of memory", tooMuch, Outcome::Passed},
+    {"out-of-memory", tooMuch, Outcome::Passed},
     {"reached the end of a value-returning function", "ends without returning a value"},
     {"missing-return", "ends without returning a value"},
 });
+
+/// What a finding is; without words and of no outcome when it is none of these.
+Kind kindOf(std::string_view finding) {
+  const auto kind =
+      std::ranges::find_if(kinds, [&](const Kind& k) { return finding.find(k.word) != std::string_view::npos; });
+  return kind == kinds.end() ? Kind{"", "", Outcome::Passed} : *kind;
+}
 
 /// "spring_3d.cpp:26" where the text first mentions a line of a student's file; "" when it does not.
 std::string placeIn(std::string_view text, const std::vector<StudentFile>& files) {
@@ -66,26 +75,22 @@ std::string placeIn(std::string_view text, const std::vector<StudentFile>& files
 
 }  // namespace
 
-std::string_view sanitizerSentence(std::string_view finding) {
-  const auto kind =
-      std::ranges::find_if(kinds, [&](const Kind& k) { return finding.find(k.word) != std::string_view::npos; });
-  return kind == kinds.end() ? "" : kind->sentence;
-}
+std::string_view sanitizerSentence(std::string_view finding) { return kindOf(finding).sentence; }
 
-std::string explainSanitizers(std::string_view output, const std::vector<StudentFile>& files) {
-  if (output.find("AddressSanitizer: hard rss limit exhausted") != std::string_view::npos) {
-    return fmt::format("{} used more than 1 GiB of memory", files.empty() ? "the file" : files.front().name);
-  }
+Outcome confirmedOutcome(std::string_view finding) { return kindOf(finding).outcome; }
+
+SanitizerFinding explainSanitizers(std::string_view output, const std::vector<StudentFile>& files) {
   const std::size_t start = std::min(output.find("ERROR: AddressSanitizer: "), output.find(": runtime error: "));
-  if (start == std::string_view::npos) return "";
+  if (start == std::string_view::npos) return {};
   // UndefinedBehaviorSanitizer puts the place in front of its words.
   const std::size_t line = start == 0 ? 0 : output.rfind('\n', start) + 1;
   const std::string_view report = output.substr(line);
   const std::string_view headline = output.substr(line, output.find('\n', start) - line);
-  const std::string_view sentence = sanitizerSentence(headline);
-  if (sentence.empty()) return "";
+  const Kind kind = kindOf(headline);
+  if (kind.outcome == Outcome::Passed) return {};
   const std::string place = placeIn(report, files);
-  return place.empty() ? "" : fmt::format("{} {}", place, sentence);
+  if (place.empty()) return {};
+  return {fmt::format("{} {}", place, kind.sentence), kind.outcome};
 }
 
 }  // namespace muelle

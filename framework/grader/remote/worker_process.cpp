@@ -1,6 +1,6 @@
 #include "grader/remote/worker_process.h"
 
-#include "grader/remote/fault.h"
+#include "course/check/sanitizer_report.h"
 #include "grader/remote/finding_text.h"
 #include "grader/worker/sanitised.h"
 
@@ -76,24 +76,25 @@ std::string textOf(const wire::Frame& frame) {
 
 }  // namespace
 
-std::string deathText(const std::string& cause) {
+SubmissionFault deathFault(const std::string& who, const std::string& cause) {
+  const auto fault = [&who](const std::string& what, Outcome outcome, bool isConfirmed = false) {
+    return SubmissionFault(who + " " + what, outcome, isConfirmed);
+  };
   if (cause == "stack overflow")
-    return "ran out of stack: does it call itself without end, or hold a huge local array?";
-  if (cause == "segmentation fault") return "crashed: it used memory that is not its own (segmentation fault)";
-  if (cause == "bus error") return "crashed (bus error)";
-  if (cause == "arithmetic exception") return "crashed: an integer division by zero (SIGFPE)";
+    return fault("ran out of stack: does it call itself without end, or hold a huge local array?", Outcome::Crash);
+  if (cause == "segmentation fault")
+    return fault("crashed: it used memory that is not its own (segmentation fault)", Outcome::Crash);
+  if (cause == "bus error") return fault("crashed (bus error)", Outcome::Crash);
+  if (cause == "arithmetic exception") return fault("crashed: an integer division by zero (SIGFPE)", Outcome::Crash);
   if (cause.starts_with(worker::sanitiserFinding)) {
-    return findingText(cause.substr(std::string_view(worker::sanitiserFinding).size()));
+    const std::string finding = cause.substr(std::string_view(worker::sanitiserFinding).size());
+    const Outcome confirmed = confirmedOutcome(finding);
+    const bool isConfirmed = confirmed != Outcome::Passed;
+    return fault(findingText(finding), isConfirmed ? confirmed : Outcome::Crash, isConfirmed);
   }
-  return fmt::format("was stopped: it asked the operating system for '{}', which no exercise needs",
-                     cause.substr(0, 60));
-}
-
-Outcome deathOutcome(const std::string& cause) {
-  for (const char* crash : {"stack overflow", "segmentation fault", "bus error", "arithmetic exception"}) {
-    if (cause == crash) return Outcome::Crash;
-  }
-  return cause.starts_with(worker::sanitiserFinding) ? Outcome::Crash : Outcome::Forbidden;
+  return fault(
+      fmt::format("was stopped: it asked the operating system for '{}', which no exercise needs", cause.substr(0, 60)),
+      Outcome::Forbidden);
 }
 
 WorkerProcess::WorkerProcess(const Sandbox& sandbox, const WorkerHost& host, const std::filesystem::path& submission,
@@ -156,10 +157,7 @@ void WorkerProcess::load(const SessionLimits& limits) {
   if (frame.header.kind == wire::FrameKind::LoadError) {
     throw SubmissionFault("your file could not be loaded: " + textOf(frame), Outcome::Crash);
   }
-  if (frame.header.kind == wire::FrameKind::Died) {
-    const std::string cause = textOf(frame);
-    throw SubmissionFault(fmt::format("{} {}", loadingCode, deathText(cause)), deathOutcome(cause));
-  }
+  if (frame.header.kind == wire::FrameKind::Died) throw deathFault(loadingCode, textOf(frame));
   throw SubmissionFault(std::string(loadingCode) + " did not end properly: " + textOf(frame), Outcome::Crash);
 }
 
