@@ -3,6 +3,7 @@
 #include "base/process/child.h"
 #include "base/text/printable.h"
 #include "course/check/compile_rules.h"
+#include "course/check/heap_damage.h"
 #include "course/check/report_line.h"
 #include "course/check/sanitizer_report.h"
 #include "course/testing/common_mistake.h"
@@ -87,6 +88,7 @@ class ReportReader {
       report_.crash = describe(result);
       current_.outcome = outcomeOf(result);
     }
+    explainAbort(result.out);
     if (running_) {
       current_.messages.push_back(report_.crash);
       report_.failures.push_back(current_);
@@ -109,6 +111,12 @@ class ReportReader {
   }
 
  private:
+  /// "twice aborted": the C library may have said why.
+  void explainAbort(const std::string& output) {
+    constexpr std::string_view plain = "aborted";
+    const std::string damage = report_.crash.ends_with(plain) ? heapDamage(output) : "";
+    if (!damage.empty()) report_.crash.replace(report_.crash.size() - plain.size(), plain.size(), damage);
+  }
   void takeMismatch(const std::string& text) {
     if (const std::optional<Mismatch> mismatch = readMismatch(text)) current_.mismatches.push_back(*mismatch);
   }

@@ -1,5 +1,7 @@
 #include "course/check/sanitizer_report.h"
 
+#include "course/check/second_look.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
@@ -17,6 +19,8 @@ struct Kind {
 
 constexpr const char* beyondMemory = "reads or writes beyond the end of a std::vector or of memory from new";
 constexpr const char* beyondLocal = "reads or writes beyond the end of a local array or variable";
+constexpr const char* unwritten =
+    "reads a bool or an enum to which nothing was written: give every variable a value before it is read";
 constexpr const char* tooMuch = "asks for more memory than there is";
 
 /// The first word that is found counts: a longer one stands before its end.
@@ -44,6 +48,8 @@ constexpr auto kinds = std::to_array<Kind>({
     {"out of memory", tooMuch, Outcome::Passed},
     {"out-of-memory", tooMuch, Outcome::Passed},
     {"reached the end of a value-returning function", "ends without returning a value"},
+    {"is not a valid value for type", unwritten, Outcome::NeverWritten},
+    {"invalid-value", unwritten, Outcome::NeverWritten},
     {"missing-return", "ends without returning a value"},
 });
 
@@ -73,6 +79,12 @@ std::string placeIn(std::string_view text, const std::vector<StudentFile>& files
   return place;
 }
 
+/// The file that may have given its lines another file's name, by #line; "" when none may.
+std::string renamed(const std::vector<StudentFile>& files) {
+  const auto file = std::ranges::find_if(files, [](const StudentFile& f) { return mayHideWarnings(f.text); });
+  return file == files.end() ? "" : file->name;
+}
+
 }  // namespace
 
 std::string_view sanitizerSentence(std::string_view finding) { return kindOf(finding).sentence; }
@@ -88,7 +100,8 @@ SanitizerFinding explainSanitizers(std::string_view output, const std::vector<St
   const std::string_view headline = output.substr(line, output.find('\n', start) - line);
   const Kind kind = kindOf(headline);
   if (kind.outcome == Outcome::Passed) return {};
-  const std::string place = placeIn(report, files);
+  std::string place = placeIn(report, files);
+  if (place.empty()) place = renamed(files);
   if (place.empty()) return {};
   return {fmt::format("{} {}", place, kind.sentence), kind.outcome};
 }

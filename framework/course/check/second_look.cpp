@@ -1,6 +1,7 @@
 #include "course/check/second_look.h"
 
 #include "base/text/printable.h"
+#include "course/check/filled_flags.h"
 #include "course/check/source_tokens.h"
 
 #include <fmt/format.h>
@@ -70,7 +71,9 @@ bool isClosureThatLeaves(const TokenList& tokens, std::size_t i) {
   return tokens[i] == "return" && tokens[i + 1] == "[" && tokens[i + 2] == "&";
 }
 
-bool isSuspicious(const StudentFile& file) { return mayHideWarnings(file.text) || mayOutliveTemporaries(file.text); }
+bool isSuspicious(const StudentFile& file) {
+  return mayHideWarnings(file.text) || mayOutliveTemporaries(file.text) || withFilledFlags(file.text) != file.text;
+}
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include "base/text/printable.h"
 #include "course/check/compile_rules.h"
 #include "course/check/compile_verdict.h"
+#include "course/check/filled_flags.h"
 #include "course/check/probe.h"
 #include "course/check/second_look.h"
 #include "course/check/source_text.h"
@@ -254,11 +255,21 @@ class Builder {
     return judgeLink(run, students_, readFile(contract_), contract_.filename().string(), limits_);
   }
 
+  /// The source, or a copy where flags that nobody sets are filled, under its name.
+  fs::path filledCopy(std::size_t i, const fs::path& scratch) const {
+    const std::string text = withFilledFlags(students_[i].text);
+    if (text == students_[i].text) return sources_[i];
+    fs::create_directories(scratch / "filled");
+    writeFile(scratch / "filled" / students_[i].name, text);
+    return scratch / "filled" / students_[i].name;
+  }
+
   /// Why it does not come about, which costs nobody anything; "" when it does.
   std::string buildSanitized(const fs::path& scratch) const {
     std::vector<std::string> objects;
-    for (const fs::path& source : sources_) {
-      objects.push_back((scratch / source.stem()).string() + "_sanitized.o");
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+      objects.push_back((scratch / sources_[i].stem()).string() + "_sanitized.o");
+      const fs::path source = filledCopy(i, scratch);
       const ToolRun run = runTool(compileCommand(source, objects.back(), true), limits_);
       if (!run.succeeded) return sayNoSecondLook(run, students_);
     }

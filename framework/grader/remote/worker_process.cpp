@@ -1,5 +1,6 @@
 #include "grader/remote/worker_process.h"
 
+#include "course/check/heap_damage.h"
 #include "course/check/sanitizer_report.h"
 #include "grader/remote/finding_text.h"
 #include "grader/worker/sanitised.h"
@@ -34,8 +35,8 @@ std::vector<VisibleFile> systemLibraries(bool sanitised) {
   return files;
 }
 
-/// A signal that only the code itself can have caused, or that comes from outside.
-SubmissionFault signalFault(const std::string& function, int signal) {
+/// A signal that only the code itself can have caused, or that comes from outside. \param output of the process
+SubmissionFault signalFault(const std::string& function, int signal, const std::string& output) {
   const auto fault = [&function](const std::string& what, Outcome outcome) {
     return SubmissionFault(function + " " + what, outcome);
   };
@@ -45,6 +46,7 @@ SubmissionFault signalFault(const std::string& function, int signal) {
     case SIGFPE:
       return fault("crashed: an integer division by zero (SIGFPE)", Outcome::Crash);
     case SIGABRT:
+      if (const std::string damage = heapDamage(output); !damage.empty()) return fault(damage, Outcome::Crash);
       return fault("called abort(): an assertion failed or memory was damaged or used up", Outcome::Crash);
     case SIGSYS:
       return fault("was stopped: it asked the operating system for something that an exercise has no need of",
@@ -275,9 +277,9 @@ void WorkerProcess::reportEnd(const std::string& function) {
   const auto status = child_.wait(Clock::now() + std::chrono::seconds(2));
   if (!status) throw SubmissionFault(function + " closed its connection instead of returning", Outcome::Crash);
   // The sandbox passes a signal on as 128 + signal; the worker's filter lets no code choose such a status.
-  if (status->signalled) throw signalFault(function, status->code);
+  if (status->signalled) throw signalFault(function, status->code, output_);
   constexpr int everyBit = 255;  // exit(-1)
-  if (status->code > 128 && status->code != everyBit) throw signalFault(function, status->code - 128);
+  if (status->code > 128 && status->code != everyBit) throw signalFault(function, status->code - 128, output_);
   throw SubmissionFault(fmt::format("{} ended the program with exit({}) instead of returning", function, status->code),
                         Outcome::Crash);
 }

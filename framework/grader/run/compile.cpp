@@ -2,6 +2,7 @@
 
 #include "base/build_paths.h"
 #include "course/check/compile_rules.h"
+#include "course/check/filled_flags.h"
 #include "grader/run/digest.h"
 #include "grader/run/shared_prelude.h"
 
@@ -62,7 +63,8 @@ Confinement confinementOf(const Workplace& workplace, const Manifest& manifest, 
   Confinement confinement;
   confinement.files = compilersView(workplace, manifest);
   for (const auto& [name, content] : sources) {
-    confinement.files.push_back({"/submission/" + name, {}, content, false});
+    const std::string text = build == Build::Sanitised ? withFilledFlags(content) : content;
+    confinement.files.push_back({"/submission/" + name, {}, text, false});
   }
   if (build == Build::Sanitised) {
     addPlainPrelude(confinement);

@@ -117,7 +117,7 @@ Outcome outcomeOf(const Verdict& verdict, const Session& session) {
 }
 
 void diagnose(Verdict& verdict) {
-  if (verdict.passed() || !verdict.graderFault.empty()) return;
+  if (verdict.passed() || !verdict.graderFault.empty() || verdict.isConfirmed) return;
   for (const auto& [function, history] : CallHistoryBase::all()) {
     if (function == verdict.neverWritten) continue;  // its numbers are nobody's: a NaN of the fill is no missing guard
     if (const std::string id = history->diagnosis(); !id.empty()) verdict.misconceptions.push_back({id, function});
