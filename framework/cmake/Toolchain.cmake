@@ -72,6 +72,11 @@ check_cxx_compiler_flag(-ftrivial-auto-var-init=pattern MUELLE_HAS_PATTERN_FILL)
 if(MUELLE_HAS_PATTERN_FILL)
   list(APPEND MUELLE_STUDENT_FLAGS -ftrivial-auto-var-init=pattern)
 endif()
+# GCC takes what was never written for whatever another branch assigns, pattern or not, and then warns of nothing either;
+# the pass that does so is of no use to what students write.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  list(APPEND MUELLE_STUDENT_FLAGS -fno-tree-fre)
+endif()
 string(JOIN " " MUELLE_STUDENT_FLAGS_TEXT ${MUELLE_STUDENT_FLAGS})
 
 # Defines NAME PATH ... as string literals for a target's sources: a path may have quotes.

@@ -18,7 +18,7 @@ using nlohmann::json;
 std::string dump(const json& document) { return document.dump(1, ' ', false, json::error_handler_t::replace); }
 
 /// Raised whenever the meaning of a field changes: an old record is then as if absent.
-constexpr int version = 2;
+constexpr int version = 3;
 
 json toJson(const Mismatch& m) {
   return {{"label", m.label},
@@ -100,6 +100,7 @@ Verdict verdictFromJson(const json& document) {
     verdict.misconceptions.push_back({mistake.at("id"), mistake.at("function")});
   }
   document.at("fault").get_to(verdict.fault);
+  document.at("confirmed").get_to(verdict.isConfirmed);
   document.at("grader_fault").get_to(verdict.graderFault);
   document.at("output").get_to(verdict.output);
   document.at("seconds").get_to(verdict.seconds);
@@ -128,6 +129,7 @@ void writeRecord(const Verdict& verdict, const std::filesystem::path& file) {
                         {"tests", tests},
                         {"misconceptions", mistakes},
                         {"fault", verdict.fault},
+                        {"confirmed", verdict.isConfirmed},
                         {"grader_fault", verdict.graderFault},
                         {"timed_out", verdict.timedOut},
                         {"never_written", verdict.neverWritten},

@@ -35,6 +35,7 @@ struct Verdict {
   std::vector<TestOutcome> tests;
   std::vector<NamedMistake> misconceptions;  ///< those whose numbers match exactly
   std::string fault;  ///< what the student's code did (crash, time-out, forbidden call ...), one line; "" when nothing
+  bool isConfirmed = false;  ///< the fault is a sanitizer's finding, of the kinds that the second look is made for
   std::string graderFault;   ///< what went wrong on our side; not empty: no score, run again
   std::string neverWritten;  ///< the first function that returned memory to which nothing was written, or ""
   std::string timedOut;      ///< the function in which time ran out, Session::loading, or ""

@@ -301,6 +301,7 @@ CommandResult runCommand(ChildSpec spec, const Capture& capture) {
     child.kill();
   }
   result.outCut = streams.front().cut;
+  result.errCut = streams[1].cut;
   return result;
 }
 

@@ -87,6 +87,7 @@ struct CommandResult {
   std::string err;     ///< standard error, cut at the limit
   std::string report;  ///< what it wrote to descriptor 3, cut at the limit
   bool outCut = false;
+  bool errCut = false;
   bool timedOut = false;
   ExitStatus status;
 };

@@ -20,8 +20,11 @@ std::vector<std::string> ownLimits() {
   return {"-fmax-errors=20", "-ftemplate-depth=400", "-fconstexpr-ops-limit=10000000"};
 }
 
-/// What the second build watches: lifetimes and bounds of memory, and the end of a function without return.
-std::vector<std::string> sanitizers() { return {"-fsanitize=address", "-fsanitize=return"}; }
+/// What the second build watches: lifetimes and bounds of memory, the end of a function without return, and a bool or
+/// an enum that is neither of its values: as the fill of what was never written, which else reads as false.
+std::vector<std::string> sanitizers() {
+  return {"-fsanitize=address", "-fsanitize=return", "-fsanitize=bool", "-fsanitize=enum"};
+}
 
 }  // namespace
 
@@ -45,7 +48,8 @@ std::vector<std::string> sanitizedCompileFlags() {
   std::vector<std::string> flags = studentCompileFlags();
   append(flags, sanitizers());
   // Eigen would otherwise place memory by hand that the unsanitised parts beside it give back.
-  append(flags, {"-fno-sanitize-recover=all", "-fno-omit-frame-pointer", "-g1", "-DEIGEN_MALLOC_ALREADY_ALIGNED=1"});
+  append(flags, {"-fno-sanitize-recover=all", "-fno-omit-frame-pointer", "-g1", "-DEIGEN_MALLOC_ALREADY_ALIGNED=1",
+                 "-U__SANITIZE_ADDRESS__"});
   return flags;
 }
 

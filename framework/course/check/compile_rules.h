@@ -26,8 +26,13 @@ std::vector<std::string> wordsOf(const std::string& text);
 std::vector<std::string> studentCompileFlags();
 
 /// The same for the second build, which a warning starts (second_look.h): AddressSanitizer, and a trap where a function
-/// ends without return. No precompiled header fits these flags.
+/// ends without return. No precompiled header fits these flags, and no macro tells a source that it is compiled so.
 std::vector<std::string> sanitizedCompileFlags();
+
+/// How many times the processor and wall time of the plain build the second look may take, and how many times its
+/// stack.
+inline constexpr unsigned sanitizedFactor = 4;
+inline constexpr unsigned sanitizedStackFactor = 8;
 
 /// Flags with which the checking program is linked, libraries apart. \param sanitized as of the second build
 std::vector<std::string> checkLinkFlags(bool sanitized);

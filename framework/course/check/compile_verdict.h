@@ -25,6 +25,7 @@ struct ToolRun {
   int signal = 0;                 ///< that ended the driver itself; 0: none
   double processorSeconds = 0.0;  ///< of all its processes; 0 when unknown
   bool endedFromOutside = false;  ///< whoever started it has seen no tool fail by itself; no tool's words say this
+  bool wordsCut = false;          ///< it wrote more than was kept
 };
 
 /// What a build came to.

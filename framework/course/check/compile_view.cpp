@@ -29,12 +29,9 @@ CompileView::CompileView(fs::path scratch, const fs::path& contract, const std::
 }
 
 std::vector<std::string> CompileView::includeFlags(bool precompiled) const {
-  std::vector<std::string> flags;
-  if (precompiled) {
-    flags = {"-I", build_paths::prelude, "-include", "prelude.h"};
-  } else {
-    flags = {"-include", "harness/exercise.h"};
-  }
+  // The folder is there either way, so that no source can ask which build it is part of.
+  std::vector<std::string> flags{"-I", build_paths::prelude, "-include",
+                                 precompiled ? "prelude.h" : "harness/exercise.h"};
   flags.insert(flags.end(), {"-I", (scratch_ / "contract").string(), "-I", (scratch_ / "framework").string(),
                              "-isystem", build_paths::eigen});
   return flags;

@@ -28,8 +28,8 @@ constexpr long totalLimitMilliseconds = 10000;  // of processor time, too
 constexpr int asleepLimitSeconds = 10;
 constexpr double nothingSeconds = 0.001;  // of processor time in a second: what a look itself takes
 
-long slowness = 1;  // times the limits of processor time
 int report = STDERR_FILENO;
+long slowness = 1;  // times the limits of processor time
 char alternateStack[65536];
 std::uintptr_t stackTop = 0;
 std::uintptr_t stackLimit = 0;

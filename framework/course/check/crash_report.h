@@ -10,9 +10,6 @@ class EigenMisuse : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
-/// Sanitizers slow a program down: limits of time are so many times as wide.
-inline constexpr unsigned sanitizedFactor = 4;
-
 /// From now on a crash, an endless recursion, a call that takes more than 2 s of processor time (10 s all together;
 /// each `factor` times as much where sanitizers slow the program down), an exception that nobody catches and an early
 /// exit of this process write the lines "outcome<TAB>name" (outcome.h) and "crash<TAB>sentence" to the report and end

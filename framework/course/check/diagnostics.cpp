@@ -281,7 +281,7 @@ std::vector<Diagnostic> parseDiagnostics(std::string_view compilerText, const st
   return reader.result();
 }
 
-bool wantsSecondLook(std::string_view compilerText, const std::vector<StudentFile>& files) {
+bool warnsOfMemory(std::string_view compilerText, const std::vector<StudentFile>& files) {
   Reader reader(files);
   reader.read(compilerText);
   return std::ranges::any_of(reader.found(), [](const Diagnostic& d) { return isOfMemory(d.option); });

@@ -38,8 +38,8 @@ std::string showDiagnostics(const std::vector<Diagnostic>& diagnostics, const st
 std::string cutDiagnostics(std::string_view compilerText, const std::vector<StudentFile>& files);
 
 /// Whether a warning in the student's lines tells of memory that is gone, was never written or is not theirs, or of a
-/// missing return: reason to build once more with sanitizers, since a warning alone costs nothing.
-bool wantsSecondLook(std::string_view compilerText, const std::vector<StudentFile>& files);
+/// missing return: reason to build once more with sanitizers (second_look.h), since a warning alone costs nothing.
+bool warnsOfMemory(std::string_view compilerText, const std::vector<StudentFile>& files);
 
 /// The functions and variables that the linker's complaints are about, each once and without namespace, class,
 /// arguments: {"springForce", "main"}.

@@ -2,7 +2,8 @@
 
 #include "base/process/child.h"
 #include "base/text/printable.h"
-#include "course/check/crash_report.h"
+#include "course/check/compile_rules.h"
+#include "course/check/heap_damage.h"
 #include "course/check/report_line.h"
 #include "course/check/sanitizer_report.h"
 #include "course/testing/common_mistake.h"
@@ -46,7 +47,8 @@ CommandResult runStudentProgram(const std::vector<std::string>& command, Instrum
 #endif
   const unsigned factor = instrumented == Instrumented::Yes ? sanitizedFactor : 1;
   spec.limits.cpuSeconds = factor * processorSeconds;
-  spec.limits.stack = 8U << 20U;  // an endless recursion must meet the end of the stack before the end of the memory
+  // An endless recursion must meet the end of the stack before the end of the memory.
+  spec.limits.stack = (instrumented == Instrumented::Yes ? sanitizedStackFactor : 1) * (std::size_t{8} << 20U);
   constexpr std::size_t bytes = 65536;
   return runCommand(spec, {factor * std::chrono::seconds(wallSeconds), bytes, 0, 16 * bytes, true});
 }
@@ -86,6 +88,7 @@ class ReportReader {
       report_.crash = describe(result);
       current_.outcome = outcomeOf(result);
     }
+    explainAbort(result.out);
     if (running_) {
       current_.messages.push_back(report_.crash);
       report_.failures.push_back(current_);
@@ -108,6 +111,12 @@ class ReportReader {
   }
 
  private:
+  /// "twice aborted": the C library may have said why.
+  void explainAbort(const std::string& output) {
+    constexpr std::string_view plain = "aborted";
+    const std::string damage = report_.crash.ends_with(plain) ? heapDamage(output) : "";
+    if (!damage.empty()) report_.crash.replace(report_.crash.size() - plain.size(), plain.size(), damage);
+  }
   void takeMismatch(const std::string& text) {
     if (const std::optional<Mismatch> mismatch = readMismatch(text)) current_.mismatches.push_back(*mismatch);
   }
@@ -156,16 +165,16 @@ class ReportReader {
   Outcome lastOutcome_ = Outcome::Crash;
 };
 
-/// What the sanitizers find in the second build; "" when they confirm nothing.
-std::string secondLook(const StudentProgram& program) {
-  if (program.sanitized.empty()) return "";
+/// What the sanitizers find in the second build. How it ends otherwise says nothing: everything is dearer there.
+SanitizerFinding secondLook(const StudentProgram& program) {
+  if (program.sanitized.empty()) return {};
   const CommandResult result = runStudentProgram({program.sanitized.string(), "tests", "slowly"}, Instrumented::Yes);
   return explainSanitizers(result.out, program.students);
 }
 
 /// Puts what the second look has confirmed before everything else.
-void addConfirmed(const std::string& finding, TestReport& report) {
-  if (finding.empty()) return;
+void addConfirmed(const SanitizerFinding& finding, TestReport& report) {
+  if (finding.sentence.empty()) return;
   if (report.failures.empty()) {
     FailedTest failure;
     failure.name = "memory";
@@ -173,8 +182,8 @@ void addConfirmed(const std::string& finding, TestReport& report) {
     report.passed = 0;
   }
   FailedTest& first = report.failures.front();
-  first.messages.insert(first.messages.begin(), finding);
-  first.outcome = Outcome::Crash;
+  first.messages.insert(first.messages.begin(), finding.sentence);
+  first.outcome = finding.outcome;
 }
 
 }  // namespace

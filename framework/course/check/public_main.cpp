@@ -7,6 +7,7 @@
 ///
 /// What happens goes to descriptor 3 as report lines (report_line.h), whatever the student's code prints or breaks.
 
+#include "course/check/compile_rules.h"
 #include "course/check/crash_report.h"
 #include "course/check/eigen_message.h"
 #include "course/check/outcome.h"

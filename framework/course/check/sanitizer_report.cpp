@@ -1,6 +1,7 @@
 #include "course/check/sanitizer_report.h"
 
 #include "course/check/fault_sentences.h"
+#include "course/check/second_look.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -14,10 +15,13 @@ namespace {
 struct Kind {
   std::string_view word;  ///< AddressSanitizer's
   std::string_view sentence;
+  Outcome outcome = Outcome::Crash;
 };
 
 constexpr const char* beyondMemory = "reads or writes beyond the end of a std::vector or of memory from new";
 constexpr const char* beyondLocal = "reads or writes beyond the end of a local array or variable";
+constexpr const char* unwritten =
+    "reads a bool or an enum to which nothing was written: give every variable a value before it is read";
 constexpr const char* tooMuch = "asks for more memory than there is";
 
 /// The first word that is found counts: a longer one stands before its end.
@@ -37,15 +41,24 @@ constexpr auto kinds = std::to_array<Kind>({
     {"heap-buffer-overflow", beyondMemory},
     {"container-overflow", beyondMemory},
     {"global-buffer-overflow", "reads or writes beyond the end of a global array or constant"},
-    {"stack-overflow", stackOverflowSentence},
-    {"requested allocation size", tooMuch},
-    {"allocation-size-too-big", tooMuch},
-    {"calloc-overflow", tooMuch},
-    {"out of memory", tooMuch},
-    {"out-of-memory", tooMuch},
+    {"stack-overflow", stackOverflowSentence, Outcome::Passed},
+    {"requested allocation size", tooMuch, Outcome::Passed},
+    {"allocation-size-too-big", tooMuch, Outcome::Passed},
+    {"calloc-overflow", tooMuch, Outcome::Passed},
+    {"out of memory", tooMuch, Outcome::Passed},
+    {"out-of-memory", tooMuch, Outcome::Passed},
     {"reached the end of a value-returning function", "ends without returning a value"},
+    {"is not a valid value for type", unwritten, Outcome::NeverWritten},
+    {"invalid-value", unwritten, Outcome::NeverWritten},
     {"missing-return", "ends without returning a value"},
 });
+
+/// What a finding is; without words and of no outcome when it is none of these.
+Kind kindOf(std::string_view finding) {
+  const auto kind =
+      std::ranges::find_if(kinds, [&](const Kind& k) { return finding.find(k.word) != std::string_view::npos; });
+  return kind == kinds.end() ? Kind{"", "", Outcome::Passed} : *kind;
+}
 
 /// "spring_3d.cpp:26" where the text first mentions a line of a student's file; "" when it does not.
 std::string placeIn(std::string_view text, const std::vector<StudentFile>& files) {
@@ -66,28 +79,31 @@ std::string placeIn(std::string_view text, const std::vector<StudentFile>& files
   return place;
 }
 
-}  // namespace
-
-std::string_view sanitizerSentence(std::string_view finding) {
-  const auto kind =
-      std::ranges::find_if(kinds, [&](const Kind& k) { return finding.find(k.word) != std::string_view::npos; });
-  return kind == kinds.end() ? "" : kind->sentence;
+/// The file that may have given its lines another file's name, by #line; "" when none may.
+std::string renamed(const std::vector<StudentFile>& files) {
+  const auto file = std::ranges::find_if(files, [](const StudentFile& f) { return mayHideWarnings(f.text); });
+  return file == files.end() ? "" : file->name;
 }
 
-std::string explainSanitizers(std::string_view output, const std::vector<StudentFile>& files) {
-  if (output.find("AddressSanitizer: hard rss limit exhausted") != std::string_view::npos) {
-    return fmt::format("{} used more than 1 GiB of memory", files.empty() ? "the file" : files.front().name);
-  }
+}  // namespace
+
+std::string_view sanitizerSentence(std::string_view finding) { return kindOf(finding).sentence; }
+
+Outcome confirmedOutcome(std::string_view finding) { return kindOf(finding).outcome; }
+
+SanitizerFinding explainSanitizers(std::string_view output, const std::vector<StudentFile>& files) {
   const std::size_t start = std::min(output.find("ERROR: AddressSanitizer: "), output.find(": runtime error: "));
-  if (start == std::string_view::npos) return "";
+  if (start == std::string_view::npos) return {};
   // UndefinedBehaviorSanitizer puts the place in front of its words.
   const std::size_t line = start == 0 ? 0 : output.rfind('\n', start) + 1;
   const std::string_view report = output.substr(line);
   const std::string_view headline = output.substr(line, output.find('\n', start) - line);
-  const std::string_view sentence = sanitizerSentence(headline);
-  if (sentence.empty()) return "";
-  const std::string place = placeIn(report, files);
-  return place.empty() ? "" : fmt::format("{} {}", place, sentence);
+  const Kind kind = kindOf(headline);
+  if (kind.outcome == Outcome::Passed) return {};
+  std::string place = placeIn(report, files);
+  if (place.empty()) place = renamed(files);
+  if (place.empty()) return {};
+  return {fmt::format("{} {}", place, kind.sentence), kind.outcome};
 }
 
 }  // namespace muelle

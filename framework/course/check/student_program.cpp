@@ -8,7 +8,9 @@
 #include "course/check/compile_verdict.h"
 #include "course/check/compile_view.h"
 #include "course/check/dependencies.h"
+#include "course/check/filled_flags.h"
 #include "course/check/probe.h"
+#include "course/check/second_look.h"
 #include "course/check/source_text.h"
 #include "course/check/symbols.h"
 #include "course/unfinished.h"
@@ -37,8 +39,9 @@ ToolRun runTool(const std::vector<std::string>& command, const CompileLimits& li
 #endif
   const CommandResult result = runCommand(spec, {limits.wall, limits.words, 0, 0, true});
   const ExitStatus& status = result.status;
-  return {result.out, !result.timedOut && status.success(), result.timedOut, status.signalled ? status.code : 0,
-          status.cpuSeconds};
+  return {result.out,        !result.timedOut && status.success(),
+          result.timedOut,   status.signalled ? status.code : 0,
+          status.cpuSeconds, result.outCut};
 }
 
 /// One line for each file that the program is made of: any change changes the text.
@@ -101,11 +104,12 @@ class Builder {
     }
     const fs::path fresh = scratch.path() / "program";
     if (!judgeObjects(objects, program)) return program;
-    const std::string warnings = program.diagnostics;
-    const CompileVerdict linked = decided(view, scratch.path(), [&] { return link(objects, fresh, false); });
+    const CompileVerdict linked = decided(view, scratch.path(), [&] { return link(objects, fresh); });
     if (!linked.passed()) program.diagnostics = linked.diagnostics;
     if (!take(linked, program)) return program;
-    const bool looksTwice = wantsSecondLook_ && buildSanitized(view, scratch.path());
+    const std::string hindrance = wantsSecondLook_ ? buildSanitized(view, scratch.path()) : "";
+    const bool looksTwice = wantsSecondLook_ && hindrance.empty();
+    const std::string warnings = program.diagnostics + hindrance;
     // The stamp last: whoever reads it finds the program and the warnings that belong to it.
     fs::remove(stamp);
     fs::remove(slot_ / "sanitized");
@@ -202,7 +206,7 @@ class Builder {
 
   CompileVerdict compile(const CompileView& view, const StudentFile& file, const std::string& object) {
     const ToolRun run = runTool(compileCommand(view, view.source(file.name), object, false), limits_);
-    if (run.succeeded && wantsSecondLook(run.words, students_)) wantsSecondLook_ = true;
+    if (run.succeeded && wantsSecondLook(run, students_)) wantsSecondLook_ = true;
     const CompileVerdict verdict = judgeCompilation(run, students_, limits_);
     if (!verdict.passed()) return verdict;
     std::string lists;
@@ -237,24 +241,41 @@ class Builder {
     return false;
   }
 
-  CompileVerdict link(const std::vector<std::string>& objects, const fs::path& executable, bool sanitized) const {
+  std::vector<std::string> linkCommand(const std::vector<std::string>& objects, const fs::path& executable,
+                                       bool sanitized) const {
     std::vector<std::string> command{build_paths::compiler};
     for (const std::string& object : objects) command.push_back(object);
     for (const std::string& part : readParts(readFile(parts_))) command.push_back(part);
     for (const std::string& flag : checkLinkFlags(sanitized)) command.push_back(flag);
     command.insert(command.end(), {"-o", executable.string()});
-    return judgeLink(runTool(command, limits_), students_, readFile(contract_), contract_.filename().string(), limits_);
+    return command;
   }
 
-  /// False when it does not come about, which costs nobody anything: the sanitizers' libraries may be missing.
-  bool buildSanitized(const CompileView& view, const fs::path& scratch) const {
+  CompileVerdict link(const std::vector<std::string>& objects, const fs::path& executable) const {
+    const ToolRun run = runTool(linkCommand(objects, executable, false), limits_);
+    return judgeLink(run, students_, readFile(contract_), contract_.filename().string(), limits_);
+  }
+
+  /// The source, or a copy where flags that nobody sets are filled, under its name.
+  static fs::path filledCopy(const CompileView& view, const StudentFile& file, const fs::path& scratch) {
+    const std::string text = withFilledFlags(file.text);
+    if (text == file.text) return view.source(file.name);
+    fs::create_directories(scratch / "filled");
+    writeFile(scratch / "filled" / file.name, text);
+    return scratch / "filled" / file.name;
+  }
+
+  /// Why it does not come about, which costs nobody anything; "" when it does.
+  std::string buildSanitized(const CompileView& view, const fs::path& scratch) const {
     std::vector<std::string> objects;
     for (const StudentFile& file : students_) {
       objects.push_back(objectOf(file, scratch, "_sanitized.o"));
-      const auto command = compileCommand(view, view.source(file.name), objects.back(), true);
-      if (!runTool(command, limits_).succeeded) return false;
+      const fs::path source = filledCopy(view, file, scratch);
+      const ToolRun run = runTool(compileCommand(view, source, objects.back(), true), limits_);
+      if (!run.succeeded) return sayNoSecondLook(run, students_);
     }
-    return link(objects, scratch / "sanitized", true).passed();
+    const ToolRun run = runTool(linkCommand(objects, scratch / "sanitized", true), limits_);
+    return run.succeeded ? "" : sayNoSecondLook(run, students_);
   }
 
   std::string topic_;

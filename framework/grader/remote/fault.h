@@ -10,12 +10,15 @@ namespace muelle::grader {
 /// says what; Outcome::Killed and Outcome::Wall may be the machine's doing, and whoever judges tries them once more.
 class SubmissionFault : public std::runtime_error {
  public:
-  explicit SubmissionFault(const std::string& what, Outcome outcome = Outcome::Wrong)
-      : std::runtime_error(what), outcome_(outcome) {}
+  explicit SubmissionFault(const std::string& what, Outcome outcome = Outcome::Wrong, bool isConfirmed = false)
+      : std::runtime_error(what), outcome_(outcome), isConfirmed_(isConfirmed) {}
   Outcome outcome() const { return outcome_; }
+  /// A sanitizer has found it, and it is what the second look is made for.
+  bool isConfirmed() const { return isConfirmed_; }
 
  private:
   Outcome outcome_;
+  bool isConfirmed_;
 };
 
 /// Something on our side is broken: the sandbox, the worker's files, the contract. Never costs a student points.

@@ -9,12 +9,11 @@
 namespace muelle::grader {
 
 std::string findingText(const std::string& finding) {
-  constexpr std::string_view missingReturn = "missing-return";
   const std::string sentence(sanitizerSentence(finding));
   if (sentence.empty()) return fmt::format("uses memory wrongly ({})", printableText(finding.substr(0, 60)));
-  if (!finding.starts_with(missingReturn)) return sentence;
-  const std::string place = printableText(finding.substr(missingReturn.size()).substr(0, 200));
-  return fmt::format("{}{}{}", sentence, place.empty() ? "" : " at", place);
+  const bool hasPlace = finding.starts_with("missing-return ") || finding.starts_with("invalid-value ");
+  if (!hasPlace) return sentence;
+  return fmt::format("{} at {}", sentence, printableText(finding.substr(finding.find(' ') + 1, 200)));
 }
 
 }  // namespace muelle::grader

@@ -108,6 +108,7 @@ std::vector<std::byte> Session::exchange(const Request& request) {
 void Session::noteFault(const SubmissionFault& fault, const std::string& function) {
   fault_ = fault.what();
   outcome_ = fault.outcome();
+  isConfirmed_ = fault.isConfirmed();
   if (!worker_) return;
   worker_->end();  // it may still be running
   if (fault_.ends_with(waitsWithoutEnd)) timedOutFunction_ = function;
@@ -151,8 +152,7 @@ std::vector<std::byte> Session::converse(const Request& request, const Patience&
       case wire::FrameKind::Refused:
         throw refusal(frame, request.function);
       case wire::FrameKind::Died:
-        throw SubmissionFault(fmt::format("{} {}", request.function, deathText(text(frame))),
-                              deathOutcome(text(frame)));
+        throw deathFault(request.function, text(frame));
       default:
         throw SubmissionFault(request.function + " answered with a malformed message");
     }

@@ -55,6 +55,8 @@ class Session {
   const std::string& fault() const { return fault_; }
   /// The class of the fault; Outcome::Passed when there is none.
   Outcome outcome() const { return outcome_; }
+  /// Whether the fault is what a sanitizer has found, of the kinds that the second look is made for.
+  bool isConfirmed() const { return isConfirmed_; }
   /// The first function that returned memory to which nothing was written; "" when none did.
   const std::string& neverWritten() const { return neverWritten_; }
   void noteNeverWritten(const std::string& function) {
@@ -101,6 +103,7 @@ class Session {
   std::chrono::nanoseconds cpuUsed_{0};
   std::string fault_;
   Outcome outcome_ = Outcome::Passed;
+  bool isConfirmed_ = false;
   std::string graderFault_;
   std::string neverWritten_;
   std::string timedOutFunction_;

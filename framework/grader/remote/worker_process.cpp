@@ -1,6 +1,8 @@
 #include "grader/remote/worker_process.h"
 
 #include "course/check/fault_sentences.h"
+#include "course/check/heap_damage.h"
+#include "course/check/sanitizer_report.h"
 #include "grader/remote/fault.h"
 #include "grader/remote/finding_text.h"
 #include "grader/worker/sanitised.h"
@@ -35,8 +37,8 @@ std::vector<VisibleFile> systemLibraries(bool sanitised) {
   return files;
 }
 
-/// A signal that only the code itself can have caused, or that comes from outside.
-SubmissionFault signalFault(const std::string& function, int signal) {
+/// A signal that only the code itself can have caused, or that comes from outside. \param output of the process
+SubmissionFault signalFault(const std::string& function, int signal, const std::string& output) {
   const auto fault = [&function](const std::string& what, Outcome outcome) {
     return SubmissionFault(function + " " + what, outcome);
   };
@@ -46,6 +48,7 @@ SubmissionFault signalFault(const std::string& function, int signal) {
     case SIGFPE:
       return fault("crashed: an integer division by zero (SIGFPE)", Outcome::Crash);
     case SIGABRT:
+      if (const std::string damage = heapDamage(output); !damage.empty()) return fault(damage, Outcome::Crash);
       return fault("called abort(): an assertion failed or memory was damaged or used up", Outcome::Crash);
     case SIGSYS:
       return fault("was stopped: it asked the operating system for something that an exercise has no need of",
@@ -77,25 +80,25 @@ std::string textOf(const wire::Frame& frame) {
 
 }  // namespace
 
-std::string deathText(const std::string& cause) {
-  if (cause == "stack overflow") return stackOverflowSentence;
-  if (cause == "floating-point trap") return trapSentence;
-  if (cause == "segmentation fault") return "crashed: it used memory that is not its own (segmentation fault)";
-  if (cause == "bus error") return "crashed (bus error)";
-  if (cause == "arithmetic exception") return "crashed: an integer division by zero (SIGFPE)";
+SubmissionFault deathFault(const std::string& who, const std::string& cause) {
+  const auto fault = [&who](const std::string& what, Outcome outcome, bool isConfirmed = false) {
+    return SubmissionFault(who + " " + what, outcome, isConfirmed);
+  };
+  if (cause == "stack overflow") return fault(stackOverflowSentence, Outcome::Crash);
+  if (cause == "floating-point trap") return fault(trapSentence, Outcome::Crash);
+  if (cause == "segmentation fault")
+    return fault("crashed: it used memory that is not its own (segmentation fault)", Outcome::Crash);
+  if (cause == "bus error") return fault("crashed (bus error)", Outcome::Crash);
+  if (cause == "arithmetic exception") return fault("crashed: an integer division by zero (SIGFPE)", Outcome::Crash);
   if (cause.starts_with(worker::sanitiserFinding)) {
-    return findingText(cause.substr(std::string_view(worker::sanitiserFinding).size()));
+    const std::string finding = cause.substr(std::string_view(worker::sanitiserFinding).size());
+    const Outcome confirmed = confirmedOutcome(finding);
+    const bool isConfirmed = confirmed != Outcome::Passed;
+    return fault(findingText(finding), isConfirmed ? confirmed : Outcome::Crash, isConfirmed);
   }
-  return fmt::format("was stopped: it asked the operating system for '{}', which no exercise needs",
-                     cause.substr(0, 60));
-}
-
-Outcome deathOutcome(const std::string& cause) {
-  for (const char* crash :
-       {"stack overflow", "segmentation fault", "bus error", "arithmetic exception", "floating-point trap"}) {
-    if (cause == crash) return Outcome::Crash;
-  }
-  return cause.starts_with(worker::sanitiserFinding) ? Outcome::Crash : Outcome::Forbidden;
+  return fault(
+      fmt::format("was stopped: it asked the operating system for '{}', which no exercise needs", cause.substr(0, 60)),
+      Outcome::Forbidden);
 }
 
 WorkerProcess::WorkerProcess(const Sandbox& sandbox, const WorkerHost& host, const std::filesystem::path& submission,
@@ -158,10 +161,7 @@ void WorkerProcess::load(const SessionLimits& limits) {
   if (frame.header.kind == wire::FrameKind::LoadError) {
     throw SubmissionFault("your file could not be loaded: " + textOf(frame), Outcome::Crash);
   }
-  if (frame.header.kind == wire::FrameKind::Died) {
-    const std::string cause = textOf(frame);
-    throw SubmissionFault(fmt::format("{} {}", loadingCode, deathText(cause)), deathOutcome(cause));
-  }
+  if (frame.header.kind == wire::FrameKind::Died) throw deathFault(loadingCode, textOf(frame));
   throw SubmissionFault(std::string(loadingCode) + " did not end properly: " + textOf(frame), Outcome::Crash);
 }
 
@@ -279,9 +279,9 @@ void WorkerProcess::reportEnd(const std::string& function) {
   const auto status = child_.wait(Clock::now() + std::chrono::seconds(2));
   if (!status) throw SubmissionFault(function + " closed its connection instead of returning", Outcome::Crash);
   // The sandbox passes a signal on as 128 + signal; the worker's filter lets no code choose such a status.
-  if (status->signalled) throw signalFault(function, status->code);
+  if (status->signalled) throw signalFault(function, status->code, output_);
   constexpr int everyBit = 255;  // exit(-1)
-  if (status->code > 128 && status->code != everyBit) throw signalFault(function, status->code - 128);
+  if (status->code > 128 && status->code != everyBit) throw signalFault(function, status->code - 128, output_);
   throw SubmissionFault(fmt::format("{} ended the program with exit({}) instead of returning", function, status->code),
                         Outcome::Crash);
 }

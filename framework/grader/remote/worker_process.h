@@ -1,6 +1,8 @@
 #pragma once
 #include "base/process/child.h"
+#include "course/check/compile_rules.h"
 #include "course/check/outcome.h"
+#include "grader/remote/fault.h"
 #include "grader/remote/process_watch.h"
 #include "grader/sandbox/sandbox.h"
 #include "grader/wire/frame.h"
@@ -13,10 +15,9 @@
 
 namespace muelle::grader {
 
-/// What to say of a cause of death that the worker has sent: "stack overflow", or the name of a forbidden system call.
-std::string deathText(const std::string& cause);
-/// Its class: a forbidden system call or a crash.
-Outcome deathOutcome(const std::string& cause);
+/// What a cause of death that the worker has sent means: "stack overflow", the finding of a sanitizer, or the name of a
+/// forbidden system call. \param who the function that was called
+SubmissionFault deathFault(const std::string& who, const std::string& cause);
 
 /// How the message of a fault ends when code has put itself to sleep for ever.
 inline constexpr std::string_view waitsWithoutEnd = "waits without end for something that never comes";
@@ -37,6 +38,14 @@ struct SessionLimits {
   std::chrono::milliseconds loadWall{30000};
   std::chrono::milliseconds startWall{30000};  ///< for the sandbox itself
   std::size_t sanitisedMemory = 1UL << 30;     ///< [bytes] of the sanitised host
+
+  /// With the time that the same code takes with sanitizers in it.
+  SessionLimits forSanitised() const {
+    SessionLimits limits = *this;
+    for (auto* time : {&limits.call, &limits.criterion, &limits.load, &limits.callWall, &limits.loadWall})
+      *time *= sanitizedFactor;
+    return limits;
+  }
 };
 
 /// What may be used up until an answer has arrived.

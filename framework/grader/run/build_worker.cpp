@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "course/check/compile_verdict.h"
 #include "course/check/probe.h"
+#include "course/check/second_look.h"
 #include "course/check/symbols.h"
 #include "grader/run/compile.h"
 #include "grader/run/digest.h"
@@ -64,6 +65,7 @@ class Builder {
     run.timedOut = result.timedOut;
     run.endedFromOutside = !succeeded && compilation.endedFromOutside;
     run.processorSeconds = result.status.cpuSeconds;
+    run.wordsCut = result.errCut;
     if (result.status.signalled) run.signal = result.status.code;
     if (!result.status.signalled && result.status.code > signalled) run.signal = result.status.code - signalled;
     return run;
@@ -153,16 +155,24 @@ class Builder {
     const std::string plain = store(objectSuffix, compilation);
     std::string sanitised;
     object.plain = store_.file(key_, objectSuffix);
-    if (wantsSecondLook(compilation.run.err, studentFiles(sources_))) {
-      const Compilation second = compile(workplace_, manifest_, sources_, sandbox_, Build::Sanitised);
-      if (second.stage != Compilation::Stage::Done) {
-        return ours("the build with sanitizers failed: " + second.run.err.substr(0, 300));
-      }
-      sanitised = store(sanitisedSuffix, second);
-      object.sanitised = store_.file(key_, sanitisedSuffix);
-    }
+    if (wantsSecondLook(toolRun(compilation, true), studentFiles(sources_))) sanitised = addSanitised(object);
     write(object.outcome, plain, sanitised);
     return object;
+  }
+
+  /// What the plain build was good for stays, whatever becomes of this one: its failure is nobody's fault.
+  /// \return the digest of the kept object; "" where there is none
+  std::string addSanitised(BuiltObject& object) const {
+    Compilation second = compile(workplace_, manifest_, sources_, sandbox_, Build::Sanitised);
+    if (second.stage == Compilation::Stage::Elsewhere || second.endedFromOutside) {  // perhaps by the machine
+      second = compile(workplace_, manifest_, sources_, sandbox_, Build::Sanitised);
+    }
+    if (second.stage != Compilation::Stage::Done) {
+      object.outcome.diagnostics += sayNoSecondLook(toolRun(second, false), studentFiles(sources_));
+      return "";
+    }
+    object.sanitised = store_.file(key_, sanitisedSuffix);
+    return store(sanitisedSuffix, second);
   }
 
   BuiltObject refuse(const CompileVerdict& verdict) const {

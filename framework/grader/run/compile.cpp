@@ -3,6 +3,7 @@
 #include "base/build_paths.h"
 #include "course/check/compile_rules.h"
 #include "course/check/dependencies.h"
+#include "course/check/filled_flags.h"
 #include "grader/run/digest.h"
 #include "grader/run/shared_prelude.h"
 #include "grader/run/tool_watch.h"
@@ -55,14 +56,26 @@ void addPrelude(const Workplace& workplace, Confinement& confinement) {
   }
 }
 
+/// The header was precompiled with the plain flags. What it holds is there all the same, under the same names, so that
+/// no source can ask which build it is part of.
+void addPlainPrelude(Confinement& confinement) {
+  confinement.files.push_back({"/prelude/prelude.h", {}, "#include \"harness/exercise.h\"\n", false});
+  confinement.files.push_back({"/prelude/prelude.h.gch", {}, "none", false});
+}
+
 Confinement confinementOf(const Workplace& workplace, const Manifest& manifest, const Sources& sources,
                           SandboxChoice sandbox, Build build) {
   Confinement confinement;
   confinement.files = compilersView(workplace, manifest);
   for (const auto& [name, content] : sources) {
-    confinement.files.push_back({"/submission/" + name, {}, content, false});
+    const std::string text = build == Build::Sanitised ? withFilledFlags(content) : content;
+    confinement.files.push_back({"/submission/" + name, {}, text, false});
   }
-  if (build != Build::Sanitised) addPrelude(workplace, confinement);  // made with the plain flags
+  if (build == Build::Sanitised) {
+    addPlainPrelude(confinement);
+  } else {
+    addPrelude(workplace, confinement);
+  }
   if (!isOfTheSystem(workplace.compiler)) {
     confinement.files.push_back({"/tools/" + workplace.compiler.filename().string(), workplace.compiler, "", true});
   }
@@ -120,11 +133,12 @@ std::string compileScript(const Workplace& workplace, const Sources& sources, Sa
   for (const auto& [name, content] : sources) {
     const std::string object = fs::path(name).stem().string() + ".o";
     script += fmt::format(
-        "{}{} {}{} {} -I../contract -I../framework -isystem ../eigen {} -c ../submission/{} -o {} || exit {}\n",
+        "{}{} {}{} -I../prelude -include prelude.h -I../contract -I../framework -isystem ../eigen {} -c "
+        "../submission/{} "
+        "-o {} || exit {}\n",
         compilesWithClang() ? ToolWatch::command() : "", compiler, ToolWatch::compilerFlag(),
-        joined(isSanitised ? sanitizedCompileFlags() : studentCompileFlags()),
-        isSanitised ? "" : "-I../prelude -include prelude.h", joined(dependencyFlags(object)), name, object,
-        compileFailed);
+        joined(isSanitised ? sanitizedCompileFlags() : studentCompileFlags()), joined(dependencyFlags(object)), name,
+        object, compileFailed);
     script += fmt::format("cat {} >&3 || exit {}\n", joined(dependencyLists(object)), symbolsFailed);
   }
   return script + fmt::format(

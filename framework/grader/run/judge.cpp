@@ -89,13 +89,14 @@ Verdict judgeOnce(const Workplace& workplace, const Candidate& candidate, const 
   }
 }
 
-/// The worse of two looks: what the sanitizers confirm costs points, and nothing else of the second look does.
+/// The first of two looks, unless the sanitizers confirm a misuse of memory in the second. Nothing else of that costs
+/// points: processor time, stack and memory are dearer there, so that right code may run out of them.
 Verdict withSecondLook(const Workplace& workplace, const Candidate& candidate, const Criterion& criterion,
                        const GradeOptions& options, Verdict first) {
   if (candidate.object.sanitised.empty() || isDoubtful(first)) return first;
   const Verdict second = judgeOnce(workplace, candidate, criterion, options, Look::Second);
-  const bool confirms = second.outcome == Outcome::Crash && !second.fault.empty();
-  return confirms || isDoubtful(second) ? second : first;
+  const bool isMachines = isDoubtful(second) && second.outcome != Outcome::Cpu;
+  return second.isConfirmed || isMachines ? second : first;
 }
 
 std::vector<std::string> readSvgs(const fs::path& folder) {

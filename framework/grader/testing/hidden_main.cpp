@@ -102,6 +102,7 @@ void grade(const Options& options, Session& session, Verdict& verdict) {
   listeners.Append(new Recorder(session, verdict));  // GoogleTest owns its listeners
   [[maybe_unused]] const int unused = RUN_ALL_TESTS();
   verdict.fault = session.fault();
+  verdict.isConfirmed = session.isConfirmed();
   verdict.graderFault = session.graderFault();
   verdict.timedOut = session.timedOutFunction();
 }
@@ -116,7 +117,7 @@ Outcome outcomeOf(const Verdict& verdict, const Session& session) {
 }
 
 void diagnose(Verdict& verdict) {
-  if (verdict.passed() || !verdict.graderFault.empty()) return;
+  if (verdict.passed() || !verdict.graderFault.empty() || verdict.isConfirmed) return;
   for (const auto& [function, history] : CallHistoryBase::all()) {
     if (function == verdict.neverWritten) continue;  // its numbers are nobody's: a NaN of the fill is no missing guard
     if (const std::string id = history->diagnosis(); !id.empty()) verdict.misconceptions.push_back({id, function});
@@ -139,6 +140,7 @@ int run(int argc, char** argv) {
   const auto sandbox = settledSandbox(parseSandboxChoice(options.sandbox));
   SessionLimits limits;
   limits.callWall = limits.loadWall = limits.startWall = std::chrono::milliseconds(options.wallMilliseconds);
+  if (options.sanitised) limits = limits.forSanitised();
   Session session({sandbox.get(), options.host, options.worker, options.seed, limits, options.sanitised});
   Session::setCurrent(&session);
   muelle::setTestSeed(options.seed);

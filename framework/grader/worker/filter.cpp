@@ -25,7 +25,7 @@ constexpr std::array runningCalls = {
     SCMP_SYS(mremap),        SCMP_SYS(madvise),      SCMP_SYS(futex),      SCMP_SYS(getpid),
     SCMP_SYS(gettid),        SCMP_SYS(gettimeofday), SCMP_SYS(time),       SCMP_SYS(getrandom),
     SCMP_SYS(clock_gettime), SCMP_SYS(fstat),        SCMP_SYS(newfstatat), SCMP_SYS(restart_syscall),
-    SCMP_SYS(sched_yield),
+    SCMP_SYS(sched_yield),   SCMP_SYS(writev),  // the C library's last words about a broken heap
 };
 
 /// What the dynamic loader adds while it maps a shared object, and the second filter.

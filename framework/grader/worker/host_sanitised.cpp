@@ -21,6 +21,10 @@ struct SourceLocation {
 struct MissingReturn {
   SourceLocation location;
 };
+/// Where -fsanitize=bool,enum found a value that is none; what follows in the compiler's layout is of no use here.
+struct InvalidValue {
+  SourceLocation location;
+};
 
 /// "sanitizer heap-buffer-overflow"
 [[noreturn]] void dieOf(const char* finding) {
@@ -32,6 +36,13 @@ struct MissingReturn {
 const char* fileName(const char* path) {
   const char* slash = std::strrchr(path, '/');
   return slash != nullptr ? slash + 1 : path;
+}
+
+/// "sanitizer missing-return spring_3d.cpp:26"
+[[noreturn]] void dieAt(const char* finding, const SourceLocation& location) {
+  char text[250];
+  std::snprintf(text, sizeof text, "%s %s:%u", finding, fileName(location.file), location.line);
+  dieOf(text);
 }
 
 }  // namespace
@@ -49,8 +60,12 @@ __attribute__((visibility("default"))) void __asan_on_error() { dieOf(__asan_get
 
 /// In place of UndefinedBehaviorSanitizer's, which prints and ends the process.
 __attribute__((visibility("default"))) void __ubsan_handle_missing_return(const MissingReturn* where) {
-  char text[250];
-  std::snprintf(text, sizeof text, "missing-return %s:%u", fileName(where->location.file), where->location.line);
-  dieOf(text);
+  dieAt("missing-return", where->location);
+}
+
+/// In place of UndefinedBehaviorSanitizer's, too.
+__attribute__((visibility("default"))) void __ubsan_handle_load_invalid_value_abort(const InvalidValue* where,
+                                                                                    std::uintptr_t /*value*/) {
+  dieAt("invalid-value", where->location);
 }
 }

@@ -20,24 +20,47 @@ TEST(CompileRules, UninitialisedMemoryIsFilledInBothBuilds) {
   }
 }
 
+/// Or it could refuse to be compiled with them, or hide what they would find.
+TEST(CompileRules, NoMacroTellsASourceOfTheSanitizers) {
+  const std::vector<std::string> flags = sanitizedCompileFlags();
+  EXPECT_NE(std::ranges::find(flags, "-U__SANITIZE_ADDRESS__"), flags.end());
+}
+
 TEST(SanitizerReport, NamesTheStudentsLine) {
   const std::vector<StudentFile> files{{"triangle.cpp", ""}};
-  EXPECT_EQ(explainSanitizers("printed\n=====\n==7==ERROR: AddressSanitizer: stack-use-after-return on address 0x7f\n"
-                              "READ of size 8\n    #0 0x5 in Eigen::x /usr/include/eigen3/Eigen/Core.h:3\n"
-                              "    #1 0x5 in triangleForce(double) /a/triangle.cpp:26\n",
-                              files),
-            "triangle.cpp:26 uses a local variable of a function that has returned");
+  const SanitizerFinding gone = explainSanitizers(
+      "printed\n=====\n==7==ERROR: AddressSanitizer: stack-use-after-return on address 0x7f\n"
+      "READ of size 8\n    #0 0x5 in Eigen::x /usr/include/eigen3/Eigen/Core.h:3\n"
+      "    #1 0x5 in triangleForce(double) /a/triangle.cpp:26\n",
+      files);
+  EXPECT_EQ(gone.sentence, "triangle.cpp:26 uses a local variable of a function that has returned");
+  EXPECT_EQ(gone.outcome, Outcome::Crash);
   EXPECT_EQ(explainSanitizers("a/triangle.cpp:9:8: runtime error: execution reached the end of a value-returning "
                               "function without returning a value\n",
-                              files),
+                              files)
+                .sentence,
             "triangle.cpp:9 ends without returning a value");
 }
 
 TEST(SanitizerReport, WhatStandsElsewhereIsNotTheStudents) {
   EXPECT_EQ(explainSanitizers("==7==ERROR: AddressSanitizer: heap-buffer-overflow\n #0 f /a/public_test.cpp:3\n",
-                              {{"triangle.cpp", ""}}),
+                              {{"triangle.cpp", ""}})
+                .sentence,
             "");
-  EXPECT_EQ(explainSanitizers("", {{"triangle.cpp", ""}}), "");
+  EXPECT_EQ(explainSanitizers("", {{"triangle.cpp", ""}}).sentence, "");
+}
+
+/// The sanitizers themselves take several times as much of them.
+TEST(SanitizerReport, StackAndMemoryThatRunOutConfirmNothing) {
+  for (const char* finding : {"stack-overflow", "out-of-memory", "allocation-size-too-big", "hard rss limit", "SEGV"}) {
+    EXPECT_EQ(confirmedOutcome(finding), Outcome::Passed) << finding;
+    EXPECT_EQ(explainSanitizers(std::string("==7==ERROR: AddressSanitizer: ") + finding + "\n #0 f /a/triangle.cpp:3\n",
+                                {{"triangle.cpp", ""}})
+                  .sentence,
+              "");
+  }
+  EXPECT_EQ(confirmedOutcome("stack-buffer-overflow"), Outcome::Crash);
+  EXPECT_EQ(confirmedOutcome("missing-return spring_1d.cpp:3"), Outcome::Crash);
 }
 
 }  // namespace

@@ -23,10 +23,11 @@ class SanitisedWorker : public muelle::grader::FixtureSession {
   }
   void SetUp() override { begin({}); }
 
-  void expect(How how, const char* says) {
+  void expect(How how, const char* says, bool isConfirmed = true) {
     EXPECT_THROW(submission::misbehave(how), SubmissionFault);
     EXPECT_TRUE(std::regex_search(session_->fault(), std::regex(says))) << session_->fault() << session_->output();
     EXPECT_EQ(session_->outcome(), Outcome::Crash);
+    EXPECT_EQ(session_->isConfirmed(), isConfirmed);
   }
 
   std::unique_ptr<Session> session_;
@@ -54,15 +55,20 @@ TEST_F(SanitisedWorker, NamesAMissingReturn) {
   expect(NoReturn, "misbehave ends without returning a value at fixture.cpp:[0-9]+");
 }
 
-TEST_F(SanitisedWorker, NamesOtherCrashes) {
-  expect(NullPointer, "misbehave crashed: it used memory that is not its own");
+/// Only what a sanitizer reports is confirmed: stack, memory and time are dearer here.
+TEST_F(SanitisedWorker, OtherCrashesConfirmNothing) {
+  expect(NullPointer, "misbehave crashed: it used memory that is not its own", false);
+}
+
+TEST_F(SanitisedWorker, AStackThatRunsOutConfirmsNothing) {
+  expect(StackOverflow, "misbehave ran out of stack", false);
 }
 
 TEST_F(SanitisedWorker, IsBoundedInMemory) {
   muelle::grader::SessionLimits limits;
   limits.sanitisedMemory = 256UL << 20;
   begin(limits);
-  expect(UseMemory, "misbehave used more than 256 MiB of memory");
+  expect(UseMemory, "misbehave used more than 256 MiB of memory", false);
 }
 
 }  // namespace

@@ -86,6 +86,15 @@ TEST(Feedback, SaysWhenTheMachineEndedTheRun) {
             Lines{"the grader failed, not you; no score, it will be run again: the run was killed from outside"});
 }
 
+TEST(Feedback, WhatASanitizerSaysOfMemoryNeverWrittenStandsForItself) {
+  GradedExercise exercise = failing(FeedbackLevel::Values, false);
+  Verdict& verdict = exercise.verdicts.at("HookeForce");
+  verdict.outcome = Outcome::NeverWritten;
+  verdict.isConfirmed = true;
+  verdict.fault = "springForce reads a bool to which nothing was written at spring_1d.cpp:5";
+  EXPECT_EQ(hookeFeedback(exercise).front(), verdict.fault);
+}
+
 TEST(Feedback, SaysWhatWasNeverWrittenBeforeAnyMistake) {
   for (const FeedbackLevel level : {FeedbackLevel::Values, FeedbackLevel::Property, FeedbackLevel::Criterion}) {
     GradedExercise exercise = failing(level, true);

@@ -55,6 +55,7 @@ TEST_F(Record, KeepsEveryBitOfEveryNumber) {
 TEST_F(Record, KeepsWhatWasComparedAndTheOutcome) {
   Verdict v = verdict("HookeForce", 0, 1);
   v.outcome = Outcome::NeverWritten;
+  v.isConfirmed = true;
   Mismatch& m = v.tests[0].mismatches[0];
   m.label = "height";
   m.unit = "m";
@@ -67,6 +68,7 @@ TEST_F(Record, KeepsWhatWasComparedAndTheOutcome) {
   const auto back = travelled(v);
   ASSERT_TRUE(back.has_value());
   EXPECT_EQ(back->outcome, Outcome::NeverWritten);
+  EXPECT_TRUE(back->isConfirmed);
   const Mismatch& read = back->tests[0].mismatches[0];
   EXPECT_EQ(read.label, "height");
   EXPECT_EQ(read.expression, m.expression);
@@ -80,8 +82,8 @@ TEST_F(Record, KeepsWhatWasComparedAndTheOutcome) {
 TEST_F(Record, OfAnotherVersionIsAsIfAbsent) {
   const Verdict v = verdict("HookeForce", 1, 0);
   EXPECT_TRUE(travelled(v).has_value());
-  EXPECT_FALSE(tampered(v, "\"version\": 2", "\"version\": 1"));
-  EXPECT_FALSE(tampered(v, "\"version\": 2", "\"release\": 2"));
+  EXPECT_FALSE(tampered(v, "\"version\": 3", "\"version\": 1"));
+  EXPECT_FALSE(tampered(v, "\"version\": 3", "\"release\": 3"));
   EXPECT_FALSE(tampered(v, "\"outcome\": \"passed\"", "\"outcome\": \"splendid\""));
 }
 

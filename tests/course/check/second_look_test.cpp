@@ -1,0 +1,100 @@
+#include "course/check/second_look.h"
+
+#include "base/build_paths.h"
+#include "base/file.h"
+#include "course/check/source_tokens.h"
+
+#include <gtest/gtest.h>
+
+namespace muelle {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool asksFor(const std::string& source, const std::string& words = "", bool wordsCut = false) {
+  ToolRun run;
+  run.succeeded = true;
+  run.words = words;
+  run.wordsCut = wordsCut;
+  return wantsSecondLook(run, {{"spring_3d.cpp", source}});
+}
+
+TEST(SourceTokens, CommentsTextsAndSplicesAreNone) {
+  const std::vector<std::string_view> tokens{"#", "pragma", "x", "1'000", ";", "f", "(", ")"};
+  EXPECT_EQ(sourceTokens("#pra/* \" */ // '\n"), (std::vector<std::string_view>{"#", "pra"}));
+  EXPECT_EQ(withoutSplices("a\\\nb\\ \r\nc\\d"), "abc\\d");
+  EXPECT_EQ(sourceTokens("# pragma x /* ; */ 1'000 \"a\\\"b\" ; R\"x(\" ; )\" )x\" '\"' f() // g()\n"), tokens);
+  EXPECT_EQ(sourceTokens("\"open\n x \"").front(), "x");
+  EXPECT_TRUE(sourceTokens("/* open").empty());
+}
+
+TEST(SecondLook, IsStartedByAWarningInTheStudentsLine) {
+  EXPECT_TRUE(asksFor("", "spring_3d.cpp:3:4: warning: 'x' is used uninitialized [-Wuninitialized]\n"));
+  EXPECT_FALSE(asksFor("", "spring_3d.cpp:3:4: warning: unused variable 'x' [-Wunused-variable]\n"));
+  EXPECT_FALSE(asksFor("", "types.h:3:4: warning: 'x' is used uninitialized [-Wuninitialized]\n"));
+}
+
+TEST(SecondLook, IsStartedByWordsThatAreCut) { EXPECT_TRUE(asksFor("", "", true)); }
+
+TEST(SecondLook, IsStartedByWhatHidesWarnings) {
+  for (const char* source :
+       {"#pragma GCC diagnostic ignored \"-Wuninitialized\"\n", " # pragma GCC system_header\n", "%: pragma GCC x\n",
+        "#line 1 \"otra.cpp\"\n", "# 1 \"otra.cpp\"\n", "_Pragma(\"GCC diagnostic ignored\") int i;",
+        "#pra\\\ngma GCC x\n", "__attribute__((optimize(\"O0\"))) int f();", "[[gnu::optimize(\"O0\")]] int f();",
+        "void f() { asm(\"\"); }", "#/**/pragma clang diagnostic ignored \"-Wuninitialized\"\n"}) {
+    EXPECT_TRUE(mayHideWarnings(source)) << source;
+    EXPECT_TRUE(asksFor(source)) << source;
+  }
+  for (const char* source : {"#pragma once\n", "// #pragma GCC x\n", "#include \"spring_3d.h\"\n", "double line = 1;\n",
+                             "const char* s = \"#line 1\";\n"}) {
+    EXPECT_FALSE(asksFor(source)) << source;
+  }
+}
+
+TEST(SecondLook, IsStartedByWhatTheCompilerDoesNotSeeThrough) {
+  for (const char* source :
+       {"auto rest = L0 * ones(n);", "auto f = magnitude(a) * direction(a, b);",
+        "const Vec3& longer(const Vec3& a, const Vec3& b) { return a; }",
+        "const Vec3& w = longer(Vec3(0, 0, 1), Vec3::Zero());", "const Eigen::Matrix<double, 3, 1>& w = longer(a, b);",
+        "return [&v](double s) { return s * v; };", "return [&] { return v; };"}) {
+    EXPECT_TRUE(mayOutliveTemporaries(source)) << source;
+  }
+  for (const char* source :
+       {"auto f = [&](double s) { return s * g(v); };", "for (const auto& s : springs) F += springForce(x, s.x);",
+        "const Vec3 f = magnitude(a) * direction(a, b);", "auto n = m.size();", "const Vec3& x = nodes[i].x;",
+        "Vec3 f(const Vec3& a, const Vec3& b);", "bool b = (x & 3) != 0;"}) {
+    EXPECT_FALSE(mayOutliveTemporaries(source)) << source;
+  }
+}
+
+/// It costs a second or two: of what is written well, few may be looked at twice.
+TEST(SecondLook, FewRightFilesAreSuspected) {
+  int files = 0;
+  int suspected = 0;
+  const fs::path checkout = build_paths::source;
+  for (const fs::path& folder : {checkout / "solutions", checkout / "tests/submissions"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      const bool isRight =
+          folder.filename() == "solutions" || entry.path().string().find("/right/") != std::string::npos;
+      if (!isRight || entry.path().extension() != ".cpp") continue;
+      ++files;
+      suspected += asksFor(readFile(entry.path())) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(files, 10);
+  EXPECT_LE(10 * suspected, files);
+}
+
+TEST(SecondLook, ABuildThatFailsIsSaidAndExplained) {
+  ToolRun run;
+  run.words = "../submission/spring_3d.cpp:3:2: error: 'asm' operand has impossible constraints\n";
+  const std::vector<StudentFile> files{{"spring_3d.cpp", ""}};
+  EXPECT_EQ(
+      sayNoSecondLook(run, files),
+      "not looked at a second time, since it does not build with AddressSanitizer: spring_3d.cpp:3: 'asm' operand "
+      "has impossible constraints\n");
+  EXPECT_EQ(sayNoSecondLook({}, files), "not looked at a second time, since it does not build with AddressSanitizer\n");
+}
+
+}  // namespace
+}  // namespace muelle

@@ -1,0 +1,16 @@
+// loses: LumpedMass; misconception: none
+#include "spring_1d.h"
+double lumpedMass(double M, int n) { double* p = new double[n]; for (int i = 0; i <= n + 2; ++i) p[i] = M / n; double* q = new double[n + 5]; double r = p[n - 1]; delete[] q; delete[] p; return r; }
+double springForceOnA(double xa, double xb, double k, double L0) {
+  const double L = std::abs(xa - xb);
+  if (L == 0) return 0;
+  return -k * (L - L0) * (xa - xb) / L;
+}
+double springForceOnB(double xa, double xb, double k, double L0) { return -springForceOnA(xa, xb, k, L0); }
+double hangingAcceleration(double x, double m, const Attachment& top, double g) {
+  return springForceOnA(x, top.x, top.k, top.L0) / m - g;
+}
+double accelerationBetween(double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+  const double force = springForceOnA(x, lower.x, lower.k, lower.L0) + springForceOnA(x, upper.x, upper.k, upper.L0);
+  return force / m - g;
+}
