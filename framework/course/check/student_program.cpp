@@ -39,9 +39,12 @@ ToolRun runTool(const std::vector<std::string>& command, const CompileLimits& li
 #endif
   const CommandResult result = runCommand(spec, {limits.wall, limits.words, 0, 0, true});
   const ExitStatus& status = result.status;
-  return {result.out,        !result.timedOut && status.success(),
-          result.timedOut,   status.signalled ? status.code : 0,
-          status.cpuSeconds, result.outCut};
+  return {.words = result.out,
+          .succeeded = !result.timedOut && status.success(),
+          .timedOut = result.timedOut,
+          .signal = status.signalled ? status.code : 0,
+          .processorSeconds = status.cpuSeconds,
+          .wordsCut = result.outCut};
 }
 
 /// One line for each file that the program is made of: any change changes the text.

@@ -407,8 +407,9 @@ constexpr auto functions = std::to_array<Unneeded>({
     {"sched_get_priority_min", "", system},
 });
 
-/// A Mac's assembler puts an underscore before every name.
+/// A Mac's assembler puts an underscore before every name; a version may stand behind it ("open@GLIBC_2.2.5").
 std::string_view plain(std::string_view symbol) {
+  symbol = symbol.substr(0, symbol.find('@'));
 #ifdef __APPLE__
   if (symbol.starts_with('_')) symbol.remove_prefix(1);
 #endif

@@ -453,6 +453,17 @@ TEST_F(Check, WordsWithoutEndHideNoWarning) {
   EXPECT_EQ(run(flood + same + readsWhatIsGone + entry).outcome, Outcome::Crash);
 }
 
+TEST_F(Check, WordsOfTheLinkerWithoutEndAreAVerdict) {
+  std::string declared;
+  std::string used;
+  for (int i = 0; i < 700; ++i) {
+    declared += "double aHelperThatIsNowhere" + std::to_string(i) + "(double);\n";
+    used += " + aHelperThatIsNowhere" + std::to_string(i) + "(x[0])";
+  }
+  EXPECT_EQ(build(declared + "Vec3 twice(const Vec3& x) { return x * (2" + used + "); }\n" + entry).outcome,
+            Outcome::Link);
+}
+
 TEST_F(Check, ASourceCannotAskForTheSanitizers) {
   const std::string asks = "#ifdef __SANITIZE_ADDRESS__\n#error no\n#endif\n";
   const StudentProgram program = build(asks + same + readsWhatIsGone + entry);

@@ -82,6 +82,8 @@ TEST(Symbols, WhatTheGraderWouldEndIsRefusedByName) {
   EXPECT_EQ(judge("__getcwd_chk U\n").message, "it works with files (getcwd): what it needs comes as arguments");
 }
 
+TEST(Symbols, AVersionHidesNoName) { EXPECT_EQ(judge("open@GLIBC_2.2.5 U\n").message, judge("open U\n").message); }
+
 TEST(Symbols, TheProgramsMemoryIsNotReplaced) {
   for (const char* name : {"_Znwm", "_ZnamSt11align_val_t", "_ZnwmRKSt9nothrow_t"}) {
     const SymbolVerdict verdict = judge(std::string(name) + " T 0 5\n");
