@@ -28,6 +28,14 @@ TEST(NeverWritten, ArithmeticOnAFillIsOne) {
   EXPECT_TRUE(isFill(9.81 - 3 * eigens));
 }
 
+TEST(NeverWritten, AFloatToWhichLittleWasAddedIsOne) {
+  float sum = std::bit_cast<float>(0xFEFEFEFEU);
+  for (int i = 0; i < 10; ++i) sum += 981;
+  EXPECT_TRUE(isFill(sum));
+  EXPECT_TRUE(isFill(-sum));
+  EXPECT_FALSE(isFill(1.7e38));
+}
+
 TEST(NeverWritten, NumbersAndTheNaNOfADivisionAreNone) {
   for (const double value : {0.0, -1.0, 1e100, 5e-324, std::numeric_limits<double>::infinity()})
     EXPECT_FALSE(isFill(value)) << value;
