@@ -67,7 +67,7 @@ TEST(TerminalTable, ShowsHowTheFileWasTaken) {
 }
 
 TEST(TerminalTable, IsNotFilledByAnyMessage) {
-  const std::string symbol(1'000'000, 'x');
+  const std::string symbol(100'000, 'x');
   std::string lines;
   for (int i = 0; i < 10'000; ++i) lines += "y\n";
   for (const std::string& text : {symbol, lines, symbol + '\n' + symbol}) {
