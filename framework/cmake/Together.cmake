@@ -3,10 +3,16 @@
 option(MUELLE_TOGETHER "Compile the sources of a folder together" ON)
 set(CMAKE_UNITY_BUILD ${MUELLE_TOGETHER})  # what targets begin with; in the cache it would outlive the option
 
-# Not where everyone adds sources (exercises, figures), whose names need not differ from each other's, nor where large
-# templates take the time, nor where a program must be free to bring what a library has. Call it before targets are added.
+# Not where everyone adds sources (exercises, plots), whose names need not differ from each other's, nor where large
+# templates take the time, nor in what a student's program links: it takes no object but those that it calls, and may bring
+# a function of its own in place of ours. Call it before targets are added, or name those that are.
 macro(muelle_compile_one_by_one)
-  set(CMAKE_UNITY_BUILD OFF)
+  set(targets ${ARGN})
+  if(targets)
+    set_target_properties(${targets} PROPERTIES UNITY_BUILD OFF)
+  else()
+    set(CMAKE_UNITY_BUILD OFF)
+  endif()
 endmacro()
 
 # The sources of one folder of a target, by their absolute paths: a relative one would be looked for below the caller's
@@ -14,13 +20,14 @@ endmacro()
 # ten sources would take too long; they part at the middle of the alphabet, so that a new one moves no other.
 function(muelle_group target folder)
   list(LENGTH ARGN count)
+  string(REGEX REPLACE "/$" "" folder "${target}${folder}")
   foreach(source IN LISTS ARGN)
-    set(group ${target} ${folder})
     get_filename_component(name ${source} NAME)
+    set(half "")
     if(count GREATER 10 AND name MATCHES "^[a-m]")
-      list(APPEND group a_to_m)
+      set(half "/a_to_m")
     endif()
-    string(MAKE_C_IDENTIFIER "${group}" group)
+    string(MAKE_C_IDENTIFIER "${folder}${half}" group)
     set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${group})
   endforeach()
 endfunction()
