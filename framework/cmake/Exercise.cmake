@@ -147,6 +147,7 @@ function(muelle_grade_tests)
 endfunction()
 
 function(muelle_all_exercises)
+  muelle_compile_one_by_one()
   muelle_prelude()
   add_custom_target(muelle_checking DEPENDS muelle_prelude)
   add_custom_target(muelle_grading ALL)

@@ -17,6 +17,8 @@ namespace muelle::grader {
 
 namespace {
 
+using Status = BuildOutcome::Status;
+
 constexpr std::uintmax_t largestStore = 2ULL << 30;  // [bytes] objects, and as much for records
 
 /// A submission of which exercises are still being graded.
@@ -60,7 +62,6 @@ std::string entryOf(const std::map<std::string, std::string>& entries, const std
 
 /// Why there is nothing to build: refused, unreadable for us, or not handed in.
 BuildOutcome absence(const Submission& submission, const Manifest& manifest) {
-  using Status = BuildOutcome::Status;
   BuildOutcome outcome;
   outcome.status = Status::GraderFault;
   outcome.message = entryOf(submission.faults, manifest.topic);

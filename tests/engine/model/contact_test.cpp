@@ -11,12 +11,6 @@ namespace {
 
 constexpr double g = 9.81;
 
-std::vector<double> forceOf(const System& system, const State& s) {
-  std::vector<double> f(s.x.size());
-  system.force(s.t, s.x, s.v, s.z, f);
-  return f;
-}
-
 /// Velocity Verlet with a commit after each step, modes live: the plainest way to run a scene.
 void run(const System& system, State& s, double h, int steps, const std::function<void()>& after = {}) {
   std::vector<double> f = forceOf(system, s);

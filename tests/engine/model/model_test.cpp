@@ -277,7 +277,7 @@ TEST(Property, HasNoSparseEntriesAndOneColumn) {
 TEST(Allocation, NoneInForceOrEnergyAfterTheFirst) {
   const auto system = build(everything());
   State s = system->initialState();
-  std::vector<double> f(s.x.size()), g(static_cast<std::size_t>(system->switching()->guardCount()));
+  std::vector<double> f(s.x.size()), guards(static_cast<std::size_t>(system->switching()->guardCount()));
   SystemMatrix J;
   const auto round = [&] {
     system->force(0.1, s.x, s.v, s.z, f);
@@ -285,7 +285,7 @@ TEST(Allocation, NoneInForceOrEnergyAfterTheFirst) {
     system->potential()->energy(0.1, s.x, s.z);
     system->potential()->conservativeForce(0.1, s.x, s.z, f);
     system->potential()->discreteGradientForce(0.1, s.x, s.x, s.z, f);
-    system->switching()->guards(0.1, s.x, s.v, s.z, g);
+    system->switching()->guards(0.1, s.x, s.v, s.z, guards);
     system->switching()->sweptBound(0.1, s.x, s.v, s.z, 0.1);
     system->switching()->commit(s, true);
     for (const Form form : {Form::Exact, Form::Symmetric}) {

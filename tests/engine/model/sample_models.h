@@ -2,6 +2,7 @@
 #include "engine/model/model_system.h"
 
 #include <random>
+#include <vector>
 
 namespace muelle::engine::testing {
 
@@ -35,6 +36,13 @@ inline Model sixNodes(int dimension, unsigned seed) {
     model.nodes.push_back(node);
   }
   return model;
+}
+
+/// The force on every unknown.
+inline std::vector<double> forceOf(const System& system, const State& s) {
+  std::vector<double> f(s.x.size());
+  system.force(s.t, s.x, s.v, s.z, f);
+  return f;
 }
 
 /// The direction of the height.

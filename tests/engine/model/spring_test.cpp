@@ -18,12 +18,6 @@ Model pair(int dimension, const Vec3& xb, double k, double L0) {
   return model;
 }
 
-std::vector<double> forceOf(const System& system, const State& s) {
-  std::vector<double> f(s.x.size());
-  system.force(s.t, s.x, s.v, s.z, f);
-  return f;
-}
-
 Eigen::MatrixXd stiffness(const System& system, const State& s, Form form = Form::Exact) {
   SystemMatrix J;
   system.linearisation()->assemble(0.0, 0.0, 1.0, s.t, s.x, s.v, s.z, form, J);
@@ -161,11 +155,11 @@ TEST(Crossing, TheForceIsSmoothThroughZeroLengthUntilTheEvent) {
     ASSERT_NE(system->switching(), nullptr);
     const Switching& switching = *system->switching();
     State s = system->initialState();
-    std::vector<double> g(1);
+    std::vector<double> guards(1);
     switching.commit(s, true);
     const auto guard = [&] {
-      switching.guards(s.t, s.x, s.v, s.z, g);
-      return g[0];
+      switching.guards(s.t, s.x, s.v, s.z, guards);
+      return guards[0];
     };
     EXPECT_GT(guard(), 0.0);
     s.x[0] = -0.1;

@@ -1,4 +1,5 @@
 #include "engine/statics/equilibrium.h"
+#include "expect_balanced.h"
 #include "support/spring_network.h"
 
 #include <gtest/gtest.h>
@@ -19,12 +20,6 @@ State at(std::vector<double> x) {
   State state;
   state.x = std::move(x);
   return state;
-}
-
-/// Every test ends here: the forces sum to 0 at every node, to what round-off of the positions leaves.
-void expectBalanced(const StaticResult& result) {
-  EXPECT_TRUE(result.converged) << result.message;
-  EXPECT_LE(result.residual, 100.0 * result.roundOff + 1e-14) << result.message;
 }
 
 /// Reference case H09, vertical: z_i = -(i L0 + (m g / k) (i N - i (i - 1) / 2)).

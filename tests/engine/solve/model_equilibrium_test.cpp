@@ -1,5 +1,6 @@
 #include "engine/model/model_system.h"
 #include "engine/statics/equilibrium.h"
+#include "expect_balanced.h"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -29,11 +30,6 @@ ModelSpring spring(int a, int b, double k, double L0) {
   result.k = k;
   result.L0 = L0;
   return result;
-}
-
-void expectBalanced(const StaticResult& result) {
-  EXPECT_TRUE(result.converged) << result.message;
-  EXPECT_LE(result.residual, 100.0 * result.roundOff + 1e-14) << result.message;
 }
 
 /// Reference case H16: the planar hang is a saddle with 14 negative eigenvalues at E = -0.441773 J; a minimum lies
