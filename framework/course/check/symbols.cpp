@@ -31,6 +31,7 @@ constexpr std::string_view timeZones = "asks for the time of a place ({}): what 
 constexpr std::string_view locales = "changes language and country ({}): numbers are read and written as in C++";
 constexpr std::string_view randomness =
     "takes random numbers from the machine ({}): equal arguments give equal results";
+constexpr std::string_view arithmetic = "changes how numbers are computed with ({}): leave that as it is";
 constexpr std::string_view system = "asks the operating system ({}): what it needs comes as arguments";
 
 /// A symbol that no exercise needs.
@@ -405,6 +406,9 @@ constexpr auto functions = std::to_array<Unneeded>({
     {"sched_setscheduler", "", system},
     {"sched_get_priority_max", "", system},
     {"sched_get_priority_min", "", system},
+    {"feenableexcept", "", arithmetic},
+    {"fesetenv", "", arithmetic},
+    {"feupdateenv", "", arithmetic},
 });
 
 /// A Mac's assembler puts an underscore before every name; a version may stand behind it ("open@GLIBC_2.2.5").

@@ -27,7 +27,7 @@ TEST(Symbols, TheCauseIsNamedAsTheStudentWritesIt) {
   EXPECT_EQ(judge("_ZNSt14basic_ifstreamIcSt11char_traitsIcEEC1EPKcSt13_Ios_Openmode U\n").message,
             "it works with files (std::ifstream): what it needs comes as arguments");
   for (const char* name : {"system U\n", "fork U\n", "pthread_create U\n", "socket U\n", "nanosleep U\n", "kill U\n",
-                           "mmap U\n", "getenv U\n", "dlopen U\n", "syscall U\n", "unlink U\n"}) {
+                           "mmap U\n", "feenableexcept U\n", "getenv U\n", "dlopen U\n", "syscall U\n", "unlink U\n"}) {
     EXPECT_EQ(judge(name).outcome, Outcome::Forbidden) << name;
   }
 }
