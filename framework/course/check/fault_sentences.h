@@ -9,8 +9,7 @@ namespace muelle {
 
 inline constexpr const char* stackOverflowSentence =
     "ran out of stack: does it call itself without end, or hold local variables larger than the stack?";
-inline constexpr const char* trapSentence =
-    "made floating-point operations stop the program: leave that as it is";
+inline constexpr const char* trapSentence = "made floating-point operations stop the program: leave that as it is";
 
 /// Whether a fault at the address is of a stack that begins at `top` and has outgrown its `limit` [bytes]: just below
 /// its end, or further below, where a large local array has jumped over the end.
