@@ -30,6 +30,7 @@ printf '#!/bin/sh\nwhile [ $# -gt 3 ]; do printf "ii  %%s\\n" "$4"; shift; done\
 printf '#!/bin/sh\necho "ran $*"\n' >"$folder/build/bin/muelle"
 chmod +x "$scratch/tools/"* "$folder/build/bin/muelle"
 export PATH="$scratch/tools:$PATH"
+export XDG_CACHE_HOME="$scratch/cache"
 
 # expect CODE TEXT ARGUMENTS...: what the launcher ends with, and a text that must stand in what is printed.
 expect() {
@@ -45,6 +46,11 @@ expect() {
 
 echo 0 >"$folder/build/work"
 expect 0 "ran"
+# CMake cannot have a double quote in a path: it is given the folder under another name.
+names=("$scratch/cache/muelle/"*)
+if [[ ! ${names[0]} -ef $folder ]]; then
+  complain "no second name for $folder: $(ls "$scratch/cache/muelle" 2>&1)"
+fi
 expect 0 "ran check it's --all" check "it's" --all
 
 # Whoever waits says so once, without a terminal.
