@@ -11,7 +11,10 @@ if [[ ${1:-} == inside ]]; then
   root="$scratch/root"
   mkdir "$root"
   mount --bind / "$root" || exit 77
-  for folder in /dev "$source" "$build" "$scratch"; do mount --rbind "$folder" "$root$folder" || exit 77; done
+  for folder in /dev "$source" "$build" "$scratch"; do
+    folder="$(cd "$folder" && pwd -P)"  # a link would lead out of the root
+    mount --rbind "$folder" "$root$folder" || exit 77
+  done
   command=("$build/bin/muelle")
   # The launcher builds in build/ alone.
   if [[ $build == "$source/build" ]]; then command=("$source/muelle" --no-install); fi
