@@ -197,9 +197,10 @@ void deny(scmp_filter_ctx filter, std::uint32_t action, int call, const std::vec
 /// A process may start others, in its own namespaces. clone3 hides its flags from a filter: the C library falls back to
 /// clone when it is told that there is none.
 void denyNewNamespaces(scmp_filter_ctx filter) {
-  for (const scmp_datum_t flag :
+  for (const int flag :
        {CLONE_NEWNS, CLONE_NEWUTS, CLONE_NEWIPC, CLONE_NEWUSER, CLONE_NEWPID, CLONE_NEWNET, CLONE_NEWCGROUP}) {
-    deny(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), {SCMP_A0(SCMP_CMP_MASKED_EQ, flag, flag)});
+    const auto bit = static_cast<scmp_datum_t>(flag);
+    deny(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), {{0, SCMP_CMP_MASKED_EQ, bit, bit}});
   }
   deny(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3));
 }

@@ -1,5 +1,6 @@
 #include "grader/worker/filter.h"
 
+#include "grader/worker/argument_rule.h"
 #include "grader/worker/sanitised.h"
 
 #include <fcntl.h>
@@ -130,15 +131,15 @@ class Filter {
 /// it. No signal can be put off, SIGXCPU least: changing the mask does nothing, and the handlers never return.
 void addSignals(Filter& filter) {
   const auto self = static_cast<scmp_datum_t>(getpid());
-  filter.add(SCMP_ACT_ALLOW, SCMP_SYS(tgkill), {SCMP_A0(SCMP_CMP_EQ, self), SCMP_A2(SCMP_CMP_EQ, SIGABRT)});
+  filter.add(SCMP_ACT_ALLOW, SCMP_SYS(tgkill), {argumentIs(0, self), argumentIs(2, SIGABRT)});
   filter.add(SCMP_ACT_ERRNO(0), std::array{SCMP_SYS(rt_sigprocmask)});
 }
 
 /// A sandbox passes a signal on as the exit status 128 + signal, so no such status may be chosen; exit(-1) may.
 void addEnds(Filter& filter) {
   for (const int call : {SCMP_SYS(exit_group), SCMP_SYS(exit)}) {
-    filter.add(SCMP_ACT_ALLOW, call, {SCMP_A0(SCMP_CMP_MASKED_EQ, 0x80, 0)});
-    filter.add(SCMP_ACT_ALLOW, call, {SCMP_A0(SCMP_CMP_MASKED_EQ, 0xff, 0xff)});
+    filter.add(SCMP_ACT_ALLOW, call, {argumentHas(0, 0x80, 0)});
+    filter.add(SCMP_ACT_ALLOW, call, {argumentHas(0, 0xff, 0xff)});
   }
 }
 
@@ -146,7 +147,7 @@ void addEnds(Filter& filter) {
 void addMemory(Filter& filter, bool executable) {
   for (const int call : {SCMP_SYS(mmap), SCMP_SYS(mprotect)}) {
     const scmp_datum_t mask = executable ? 0 : PROT_EXEC;
-    filter.add(SCMP_ACT_ALLOW, call, {SCMP_A2(SCMP_CMP_MASKED_EQ, mask, 0)});
+    filter.add(SCMP_ACT_ALLOW, call, {argumentHas(2, mask, 0)});
   }
 }
 
@@ -182,9 +183,9 @@ void installLoadingFilter() {
   filter.add(SCMP_ACT_ALLOW, std::array{probeCall});
   // The loader only reads: nothing outside can be made, cut or changed even where no sandbox stands around.
   constexpr scmp_datum_t writing = O_ACCMODE | O_CREAT | O_TRUNC | O_APPEND | (O_TMPFILE & ~O_DIRECTORY);
-  filter.add(SCMP_ACT_ALLOW, SCMP_SYS(openat), {SCMP_A2(SCMP_CMP_MASKED_EQ, writing, 0)});
+  filter.add(SCMP_ACT_ALLOW, SCMP_SYS(openat), {argumentHas(2, writing, 0)});
   // Loading the second filter says so once more; no other attribute of the process may change, its death signal least.
-  filter.add(SCMP_ACT_ALLOW, SCMP_SYS(prctl), {SCMP_A0(SCMP_CMP_EQ, PR_SET_NO_NEW_PRIVS)});
+  filter.add(SCMP_ACT_ALLOW, SCMP_SYS(prctl), {argumentIs(0, PR_SET_NO_NEW_PRIVS)});
   filter.addTraps({SCMP_SYS(openat), SCMP_SYS(close), SCMP_SYS(seccomp), SCMP_SYS(prctl)});
   filter.load();
 }

@@ -58,6 +58,9 @@ __attribute__((visibility("default"))) const char* __asan_default_options() {
 /// Called when something has been found, before anything is printed.
 __attribute__((visibility("default"))) void __asan_on_error() { dieOf(__asan_get_report_description()); }
 
+// The sanitizers call what follows by these names.
+// NOLINTBEGIN(bugprone-reserved-identifier)
+
 /// In place of UndefinedBehaviorSanitizer's, which prints and ends the process.
 __attribute__((visibility("default"))) void __ubsan_handle_missing_return(const MissingReturn* where) {
   dieAt("missing-return", where->location);
@@ -68,4 +71,5 @@ __attribute__((visibility("default"))) void __ubsan_handle_load_invalid_value_ab
                                                                                     std::uintptr_t /*value*/) {
   dieAt("invalid-value", where->location);
 }
+// NOLINTEND(bugprone-reserved-identifier)
 }
