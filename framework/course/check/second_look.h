@@ -16,8 +16,8 @@ namespace muelle {
 /// \param run of the compiler, on these files, that succeeded
 bool wantsSecondLook(const ToolRun& run, const std::vector<StudentFile>& files);
 
-/// Whether a source holds what can take a warning away or move it out of the file: a pragma, #line, an attribute of the
-/// compiler's own, assembler.
+/// Whether a source holds what can take a warning away or move it out of the file: a pragma, a line directive, an
+/// attribute of the compiler's own, assembler.
 bool mayHideWarnings(std::string_view source);
 
 /// Whether a source names, in a way of which the compiler does not warn, what may be gone: `auto` for an arithmetic
