@@ -117,6 +117,7 @@ class ReportReader {
     const std::string damage = report_.crash.ends_with(plain) ? heapDamage(output) : "";
     if (!damage.empty()) report_.crash.replace(report_.crash.size() - plain.size(), plain.size(), damage);
   }
+
   void takeMismatch(const std::string& text) {
     if (const std::optional<Mismatch> mismatch = readMismatch(text)) current_.mismatches.push_back(*mismatch);
   }

@@ -11,8 +11,8 @@ namespace {
 /// GCC's pattern in a float, and what small summands leave of it.
 bool isFillOfFloat(double value) {
   constexpr double pattern = std::bit_cast<float>(0xFEFEFEFEU);
-  constexpr double epsilon = 1e-6;  // ten times a float's
-  return std::abs(value / pattern - 1) < epsilon || std::abs(value / pattern + 1) < epsilon;
+  constexpr double epsilon = 1e-6;                           // ten times a float's
+  return std::abs(std::abs(value / pattern) - 1) < epsilon;  // of either sign
 }
 
 }  // namespace
