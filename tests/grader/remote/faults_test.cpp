@@ -27,6 +27,9 @@ struct Fault {
   Outcome outcome = Outcome::Wrong;
 };
 
+/// What GoogleTest, and CTest after it, call a case: without this, its bytes.
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.says; }
+
 class Misbehaviour : public muelle::grader::FixtureSession, public ::testing::WithParamInterface<Fault> {};
 
 TEST_P(Misbehaviour, IsNamedAndEndsTheSession) {
