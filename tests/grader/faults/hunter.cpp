@@ -15,7 +15,10 @@ namespace {
 
 struct Process {
   std::string name;
+  char state = 'X';  // 'T' stopped, 'Z' ended and not yet waited for, 'X' gone
   pid_t parent = 0;
+
+  bool hasEnded() const { return state == 'Z' || state == 'X'; }
 };
 
 /// "17 (cc1plus) R 12 ...": the name may hold anything, blanks and brackets too.
@@ -25,6 +28,7 @@ bool readProcess(const std::filesystem::path& folder, Process& process) {
   const std::size_t close = text.rfind(')');
   if (open == std::string::npos || close == std::string::npos || close + 4 > text.size()) return false;
   process.name = text.substr(open + 1, close - open - 1);
+  process.state = text[close + 2];
   process.parent = static_cast<pid_t>(std::atol(text.c_str() + close + 4));
   return true;
 }
@@ -36,7 +40,8 @@ std::map<pid_t, Process> allProcesses() {
     const std::string name = entry->path().filename();
     if (name.find_first_not_of("0123456789") != std::string::npos) continue;
     Process process;
-    if (readProcess(entry->path(), process)) processes[static_cast<pid_t>(std::stol(name))] = process;
+    if (readProcess(entry->path(), process) && !process.hasEnded())
+      processes[static_cast<pid_t>(std::stol(name))] = process;
   }
   return processes;
 }
@@ -46,6 +51,28 @@ bool descends(const std::map<pid_t, Process>& processes, pid_t pid) {
     if (found->second.parent == getpid()) return true;
   }
   return false;
+}
+
+/// A child that has not yet become another program bears its parent's name.
+bool isForkOfItsLike(const std::map<pid_t, Process>& processes, const Process& process) {
+  const auto parent = processes.find(process.parent);
+  return parent != processes.end() && parent->second.name == process.name;
+}
+
+/// Stops it first: a signal to what ends just now is sent without an error and hits nothing, whereas a stopped process
+/// does no more than this signal makes it do.
+bool hit(pid_t pid, int signal) {
+  if (kill(pid, SIGSTOP) != 0) return false;
+  Process process;
+  do {
+    process = {};
+    readProcess("/proc/" + std::to_string(pid), process);
+    if (process.hasEnded()) return false;
+  } while (process.state != 'T');
+  if (signal == SIGSTOP) return true;
+  const bool wasSent = kill(pid, signal) == 0;
+  kill(pid, SIGCONT);  // what is not SIGKILL waits for it
+  return wasSent;
 }
 
 }  // namespace
@@ -59,13 +86,14 @@ Hunter::~Hunter() {
 }
 
 void Hunter::hunt() {
-  std::set<pid_t> hit;  // each once: a stopped process is still there
+  std::set<pid_t> seen;  // each once: a stopped process is still there
   while (!ends_ && hits_ < most_) {
     const std::map<pid_t, Process> processes = allProcesses();
     for (const auto& [pid, process] : processes) {
-      if (process.name != name_ || hit.contains(pid) || !descends(processes, pid)) continue;
-      if (kill(pid, signal_) == 0) ++hits_;
-      hit.insert(pid);
+      if (process.name != name_ || seen.contains(pid) || isForkOfItsLike(processes, process)) continue;
+      if (!descends(processes, pid)) continue;
+      if (hits_ < most_ && hit(pid, signal_)) ++hits_;
+      seen.insert(pid);
     }
     std::this_thread::yield();
   }

@@ -6,6 +6,7 @@
 namespace muelle::grader {
 
 /// A fault of the machine: sends a signal to every descendant of this process that has a name, until it is destroyed.
+/// A hit is counted when it told: what was about to end is left out.
 class Hunter {
  public:
   /// \param name as the kernel keeps it, at most 15 characters: "cc1plus", "host"
