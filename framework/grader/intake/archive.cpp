@@ -154,7 +154,7 @@ class OpenArchive {
     std::string bytes;
     const bool isAnArchive = read(path, head, bytes);
     if (isAnArchive) return reader_.readInside(bytes, path);
-    collector_.regularFile(path, head, [&] { return contentOf(bytes); });
+    collector_.regularFile(path, head, [&] { return collector_.contentOf(bytes); });
     // A tar archive may say later that another name has the same bytes.
     if ((::archive_format(archive_.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_TAR)
       texts_[path] = std::move(bytes);
@@ -169,7 +169,7 @@ class OpenArchive {
       return refuse(path, "is a hard link to what the archive does not hold: hand in the file itself");
     skip();
     const std::string bytes = text->second;
-    collector_.regularFile(path, bytes.substr(0, headBytes), [&] { return contentOf(bytes); });
+    collector_.regularFile(path, bytes.substr(0, headBytes), [&] { return collector_.contentOf(bytes); });
     texts_[path] = bytes;
   }
 
@@ -183,12 +183,6 @@ class OpenArchive {
       if (bytes.size() <= limit || (!isHidden && isArchive(path.back(), head))) bytes += piece;
     });
     return !isHidden && isArchive(path.back(), head);
-  }
-
-  Content contentOf(const std::string& bytes) const {
-    const std::size_t limit = collector_.limits().sourceBytes;
-    if (bytes.size() > limit) return Content::refused(fmt::format("is larger than {}", showBytes(limit)));
-    return {bytes};
   }
 
   void refuse(const RelativePath& path, const std::string& why) {

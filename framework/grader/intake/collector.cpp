@@ -177,12 +177,19 @@ void Collector::offer(const RelativePath& path, const std::function<Content()>& 
   }
 }
 
+Content Collector::tooLarge() const {
+  return Content::refused(fmt::format("is larger than {}", showBytes(limits_.sourceBytes)));
+}
+
+Content Collector::contentOf(const std::optional<std::string>& bytes) const {
+  return bytes && bytes->size() <= limits_.sourceBytes ? Content{*bytes} : tooLarge();
+}
+
 Collector::Candidate Collector::candidate(const RelativePath& path, const Rank& rank, Content content) const {
   SourceText source = readSource(std::move(content.bytes));
   content.bytes = std::move(source.text);
   if (content.refusal.empty()) content.refusal = std::move(source.refusal);
-  if (content.bytes.size() > limits_.sourceBytes)
-    content = Content::refused(fmt::format("is larger than {}", showBytes(limits_.sourceBytes)));
+  if (content.bytes.size() > limits_.sourceBytes) content = tooLarge();
   return {rank, path, std::move(content), std::move(source.note)};
 }
 

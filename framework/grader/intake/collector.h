@@ -41,6 +41,9 @@ class Collector {
 
   const IntakeLimits& limits() const { return limits_; }
 
+  /// What was read of a file, refused when a source cannot be so long; nullopt: so long that nobody read it.
+  Content contentOf(const std::optional<std::string>& bytes) const;
+
   /// A regular file; `read` is called only when its content may count.
   void file(const RelativePath& path, const std::function<Content()>& read);
 
@@ -93,6 +96,7 @@ class Collector {
   std::string topicOf(const std::string& folder) const;
   bool isAskedFor(const std::string& topic) const;
   void offer(const RelativePath& path, const std::function<Content()>& read);
+  Content tooLarge() const;
   Candidate candidate(const RelativePath& path, const Rank& rank, Content content) const;
   void add(const Key& key, Candidate found);
   static void addToOthers(Slot& slot, Candidate found);

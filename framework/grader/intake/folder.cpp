@@ -169,11 +169,8 @@ class Walk {
   }
 
   Content read(const Descriptor& file) const {
-    const std::size_t limit = collector_.limits().sourceBytes;
     try {
-      std::optional<std::string> bytes = readAll(file.get(), limit);
-      if (!bytes) return Content::refused(fmt::format("is larger than {}", showBytes(limit)));
-      return {std::move(*bytes)};
+      return collector_.contentOf(readAll(file.get(), collector_.limits().sourceBytes));
     } catch (const std::system_error& error) {
       return Content::unreadable(cannotBeRead(error));
     }

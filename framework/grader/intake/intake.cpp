@@ -56,19 +56,13 @@ class Parts {
     const std::string head = bytes ? bytes->substr(0, headBytes) : "";
     const bool isSource = isSourceName(fileName) && !beginsAsArchive(head);
     if (isSource || (areSeveral_ && !isArchive(fileName, head)))
-      return collector_.regularFile({fileName}, head, [&] { return contentOf(bytes); });
+      return collector_.regularFile({fileName}, head, [&] { return collector_.contentOf(bytes); });
     if (!bytes) refuseLargeArchive(name, limit_);
     // Among several, the archive's own name tells its files from another's.
     if (areSeveral_) return archives_.readInside(*bytes, {fileName});
     if (const std::optional<StandIn> other = standIn(fileName, head))
       throw std::runtime_error(fmt::format("cannot read the archive {}: {}", name, other->why));
     archives_.read(*bytes, name);
-  }
-
-  Content contentOf(const std::optional<std::string>& bytes) const {
-    const std::size_t limit = collector_.limits().sourceBytes;
-    if (!bytes || bytes->size() > limit) return Content::refused(fmt::format("is larger than {}", showBytes(limit)));
-    return {*bytes};
   }
 
   Collector& collector_;
