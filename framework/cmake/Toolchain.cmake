@@ -76,6 +76,8 @@ endif()
 # the pass that does so is of no use to what students write.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   list(APPEND MUELLE_STUDENT_FLAGS -fno-tree-fre)
+  # Where a constructor begins, GCC takes what the object held for dead, the pattern too.
+  list(APPEND MUELLE_STUDENT_FLAGS -flifetime-dse=1)
 endif()
 string(JOIN " " MUELLE_STUDENT_FLAGS_TEXT ${MUELLE_STUDENT_FLAGS})
 

@@ -74,6 +74,10 @@ int jobsOf(const GradeCommand& command) {
 std::optional<fs::path> givenFolder(const GradeCommand& command, const std::string& submission) {
   grader::requireOutside(command.out.empty() ? fs::path(defaultParent) : fs::path(command.out), submission);
   if (command.out.empty()) return std::nullopt;
+  std::error_code absent;
+  if (fs::exists(command.out, absent) && !fs::is_directory(command.out, absent)) {
+    throw std::invalid_argument(fmt::format("--out {}: that is no folder; name one for the reports", command.out));
+  }
   grader::requireOwn(command.out, submission);
   return command.out;
 }

@@ -67,7 +67,7 @@ bool isOfMemory(std::string_view option) {
   static constexpr std::string_view kinds[] = {"-Wreturn-type",   "-Wreturn-local-addr",   "-Wreturn-stack-address",
                                                "-Wdangling",      "-Wuse-after-free",      "-Wfree-nonheap-object",
                                                "-Wuninitialized", "-Wmaybe-uninitialized", "-Wsometimes-uninitialized",
-                                               "-Warray-bounds",  "-Wstringop-over"};
+                                               "-Warray-bounds",  "-Wstringop-over",       "-Waggressive-loop"};
   return std::ranges::any_of(kinds, [&](std::string_view kind) { return option.starts_with(kind); });
 }
 

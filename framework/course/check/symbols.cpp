@@ -12,6 +12,8 @@
 #include <memory>
 #include <span>
 #include <system_error>
+#include <unordered_set>
+#include <utility>
 
 namespace muelle {
 
@@ -113,15 +115,27 @@ std::string oversize(const std::vector<StaticData>& data) {
                      printableLine(readableName(largest.symbol)), largest.bytes >> 20U, mostStaticData >> 20U);
 }
 
-void addOnce(std::vector<std::string>& names, std::string_view name) {
-  if (std::ranges::find(names, name) == names.end()) names.emplace_back(name);
-}
+/// Names in the order in which they came first; a file may have a hundred thousand.
+class Names {
+ public:
+  void add(std::string_view name) {
+    if (known_.emplace(name).second) names_.emplace_back(name);
+  }
+  bool contains(const std::string& name) const { return known_.contains(name); }
+  std::vector<std::string> take() { return std::move(names_); }
+  const std::vector<std::string>& all() const { return names_; }
+
+ private:
+  std::unordered_set<std::string> known_;
+  std::vector<std::string> names_;
+};
 
 }  // namespace
 
 Symbols readSymbols(std::string_view nmText) {
   Symbols symbols;
-  std::vector<std::string> used;
+  Names used;
+  Names defined;
   while (!nmText.empty()) {
     const std::size_t end = std::min(nmText.find('\n'), nmText.size());
     const std::string_view line = nmText.substr(0, end);
@@ -133,13 +147,14 @@ Symbols readSymbols(std::string_view nmText) {
     const char kind = line[blank + 1];
     const bool isUndefined = kind == 'U' || kind == 'w' || kind == 'v';
     const bool isGlobal = kind >= 'A' && kind <= 'Z';
-    if (isUndefined) addOnce(used, name);
-    if (!isUndefined && isGlobal) addOnce(symbols.defined, name);
+    if (isUndefined) used.add(name);
+    if (!isUndefined && isGlobal) defined.add(name);
     if (isData(kind)) symbols.data.push_back({std::string(name), sizeIn(line.substr(blank + 1))});
   }
-  for (const std::string& name : used) {
-    if (std::ranges::find(symbols.defined, name) == symbols.defined.end()) symbols.undefined.push_back(name);
+  for (const std::string& name : used.all()) {
+    if (!defined.contains(name)) symbols.undefined.push_back(name);
   }
+  symbols.defined = defined.take();
   return symbols;
 }
 

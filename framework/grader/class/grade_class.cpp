@@ -47,6 +47,7 @@ class Grading {
     ClassRow& row = class_.rows[i];
     row.student = entry.student;
     try {
+      if (!entry.refusal.empty()) throw std::runtime_error(entry.refusal);
       Submission submission = grader_.take(entry.parts);
       submission.name = entry.student;
       grader_.add(pool_, submission, [this, i, path = entry.parts.front()](GradedSubmission graded) {

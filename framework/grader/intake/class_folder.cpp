@@ -67,15 +67,22 @@ bool isAPaper(const fs::path& file, const std::string& name) {
 /// Why a child is no submission; "" when it is one.
 std::string whyNot(const fs::directory_entry& child, const std::string& name) {
   std::error_code unknown;
-  if (child.is_symlink(unknown)) return "a symbolic link";
   const bool isPlaceholder = standIn(name, "").has_value();  // the Mac hides what stands for a student's archive
   if (name.starts_with('.') && !(isPlaceholder && child.is_regular_file(unknown))) return "hidden";
   const std::optional<MoodleName> moodle = moodleName(name);
   if (moodle && moodle->kind.starts_with("onlinetext")) return "a text typed online";
   if (child.is_directory(unknown)) return "";
-  if (!child.is_regular_file(unknown)) return "no regular file";
   const bool isMeant = moodle || isSourceName(name) || isArchiveName(name);
+  if (child.is_symlink(unknown) && !isMeant) return "a symbolic link";
+  if (!child.is_regular_file(unknown) && !isMeant) return "no regular file";
   return !isMeant && isAPaper(child.path(), name) ? "no submission" : "";
+}
+
+/// Why a child that may be meant is not even opened; "" for all others.
+std::string refusalOf(const fs::directory_entry& child, const std::string& name) {
+  std::error_code unknown;
+  if (!child.is_symlink(unknown)) return "";
+  return shown(name) + " is a symbolic link: put the hand-in itself into the folder";
 }
 
 /// Puts together what Moodle gives side by side: "Ana_7_assignsubmission_file_a.cpp", "..._file_b.cpp". By path before.
@@ -89,7 +96,9 @@ void join(std::vector<ClassEntry>& entries) {
     if (found.second) {
       joined.push_back(std::move(entry));
     } else {
-      joined[found.first->second].parts.push_back(std::move(entry.parts.front()));
+      ClassEntry& one = joined[found.first->second];
+      one.parts.push_back(std::move(entry.parts.front()));
+      if (one.refusal.empty()) one.refusal = std::move(entry.refusal);
     }
   }
   entries = std::move(joined);
@@ -126,7 +135,7 @@ ClassFolder listClass(const std::filesystem::path& folder) {
     if (isASystems(name)) continue;
     const std::string why = whyNot(*child, name);
     if (why.empty()) {
-      listing.entries.push_back({{child->path()}, studentOf(name)});
+      listing.entries.push_back({{child->path()}, studentOf(name), refusalOf(*child, name)});
     } else {
       listing.notes.push_back(fmt::format("{} is not graded: {}", shown(name), why));
     }

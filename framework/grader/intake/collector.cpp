@@ -31,6 +31,9 @@ std::string list(const std::vector<std::string>& names) {
   return fmt::format("{}", fmt::join(shown, ", "));
 }
 
+/// "notes/"; of no path, the folder that was handed in.
+std::string shownFolder(const RelativePath& path) { return path.empty() ? "the folder handed in" : show(path) + "/"; }
+
 std::string parentOf(const RelativePath& path) { return path.size() > 1 ? path[path.size() - 2] : ""; }
 
 /// Sources that every exercise hands out; nobody's answer.
@@ -161,7 +164,7 @@ void Collector::notAFile(const RelativePath& path, const std::string& why) {
 void Collector::unreadableFolder(const RelativePath& path, const std::string& why) {
   ++seen_;
   unreadable_.push_back({path, why});
-  note(fmt::format("{}/ {}", show(path), why));
+  note(fmt::format("{} {}", shownFolder(path), why));
 }
 
 void Collector::note(const std::string& what) { notes_.push_back(what); }
@@ -225,7 +228,8 @@ void Collector::addToOthers(Slot& slot, Candidate found) {
     slot.fault = fmt::format("{} {}", show(found.path), found.content.fault);
   if (!slot.best) {
     slot.best = std::move(found);
-  } else if (found.content.bytes == slot.best->content.bytes && found.content.refusal == slot.best->content.refusal) {
+  } else if (asWritten(found.content.bytes) == asWritten(slot.best->content.bytes) &&
+             found.content.refusal == slot.best->content.refusal) {
     if (!slot.other && found.rank < slot.best->rank) slot.best = std::move(found);
   } else if (!slot.other) {
     found.content.bytes.clear();
@@ -337,7 +341,7 @@ std::string Collector::missing(const std::string& topic, const std::string& file
 const Collector::UnreadableFolder* Collector::mayHide(const std::string& topic, const std::string& file) const {
   const auto slot = slots_.find({topic, file});
   for (const UnreadableFolder& folder : unreadable_) {
-    const std::string home = topicOf(folder.path.back());
+    const std::string home = folder.path.empty() ? "" : topicOf(folder.path.back());  // empty: the submission itself
     if (!home.empty() && home != topic) continue;
     const Rank best{0, 0, folder.path.size() + (home == topic ? 1 : 2)};
     if (slot == slots_.end() || !slot->second.best || best <= slot->second.best->rank) return &folder;
@@ -395,7 +399,7 @@ void Collector::say(const Manifest& manifest, Submission& submission) const {
   for (const std::string& file : manifest.files) {
     const auto slot = slots_.find({topic, file});
     if (const UnreadableFolder* folder = mayHide(topic, file)) {
-      submission.faults[topic] = fmt::format("{}/, where {} may lie, {}", show(folder->path), file, folder->why);
+      submission.faults[topic] = fmt::format("{}, where {} may lie, {}", shownFolder(folder->path), file, folder->why);
     } else if (slot != slots_.end()) {
       settle(slot->first, slot->second, submission);
     } else if (const std::string why = whySkipped(file); !why.empty()) {

@@ -61,57 +61,42 @@ void ExerciseRun::build(Try attempt) {
   }
 }
 
-const Verdict* ExerciseRun::unreturnedIn(const Unreturned& verdicts, const Criterion& criterion) {
-  const auto loading = verdicts.find(Session::loading);
-  if (loading != verdicts.end()) return &loading->second;
-  for (const std::string& function : criterion.functions) {
-    const auto found = verdicts.find(function);
-    if (found != verdicts.end()) return &found->second;
-  }
-  return nullptr;
-}
-
-Verdict ExerciseRun::withoutTrying(const Criterion& criterion, const Verdict& elsewhere) const {
+/// What a file does when it is loaded is the same for every criterion; what a function does depends on what it is
+/// asked.
+Verdict ExerciseRun::asLoadingEnded(const Criterion& criterion) const {
   Verdict verdict;
   verdict.topic = manifest_.topic;
   verdict.suite = criterion.suite;
-  verdict.outcome = elsewhere.outcome;
-  verdict.fault = elsewhere.timedOut == Session::loading
-                      ? elsewhere.fault
-                      : fmt::format("{} did not return in time in criterion {}; this criterion needs it",
-                                    elsewhere.timedOut, elsewhere.suite);
+  verdict.outcome = loading_->outcome;
+  verdict.fault = loading_->fault;
   return verdict;
 }
 
-std::optional<Verdict> ExerciseRun::known(const Criterion& criterion, Try attempt) {
+std::optional<Verdict> ExerciseRun::known(const Criterion& criterion) {
   if (!grader_.options().fresh) {
     auto kept = keptVerdict(grader_.workplace(), grader_.records(), *candidate_, criterion, grader_.options());
     if (kept) return kept;
   }
   const std::lock_guard lock(mutex_);
-  const Verdict* elsewhere = unreturnedIn(confirmed_, criterion);
-  if (elsewhere == nullptr) return std::nullopt;
-  // Loading ends in the same way for all; of a function, what a criterion says must not depend on who came first.
-  const bool isCertain = attempt == Try::Alone || elsewhere->timedOut == Session::loading;
-  return isCertain ? std::optional(withoutTrying(criterion, *elsewhere)) : std::nullopt;
+  return loading_ ? std::optional(asLoadingEnded(criterion)) : std::nullopt;
 }
 
 void ExerciseRun::judge(std::size_t index, Try attempt) {
   const Criterion& criterion = manifest_.criteria[index];
-  if (auto verdict = known(criterion, attempt)) return settle(criterion, std::move(*verdict));
-  const auto tryAlone = [&] { pool_.addAlone([self = shared_from_this(), index] { self->judge(index, Try::Alone); }); };
-  if (attempt == Try::Shared) {
-    const std::lock_guard lock(mutex_);
-    if (unreturnedIn(suspected_, criterion) != nullptr) return tryAlone();
-  }
+  if (auto verdict = known(criterion)) return settle(criterion, std::move(*verdict));
   ++grader_.started_;
   Verdict verdict = judgeCriterion(grader_.workplace(), grader_.records(), *candidate_, criterion, grader_.options());
-  if (isDoubtful(verdict) && attempt == Try::Shared) {
-    const std::lock_guard lock(mutex_);
-    if (!verdict.timedOut.empty()) suspected_.emplace(verdict.timedOut, verdict);
-    return tryAlone();
+  if (attempt == Try::Shared && isDoubtful(verdict) && !isExpected(verdict)) {
+    return pool_.addAlone([self = shared_from_this(), index] { self->judge(index, Try::Alone); });
   }
   settle(criterion, std::move(verdict));
+}
+
+/// A function that did not return with nothing else running is believed not to return elsewhere, either: each criterion
+/// finds out for itself, but only the first one twice.
+bool ExerciseRun::isExpected(const Verdict& verdict) {
+  const std::lock_guard lock(mutex_);
+  return verdict.outcome == Outcome::Cpu && verdict.graderFault.empty() && unreturned_.contains(verdict.timedOut);
 }
 
 /// A limit of processor time that was passed with nothing else running is the submission's: kept. What was killed, or
@@ -126,7 +111,8 @@ void ExerciseRun::settle(const Criterion& criterion, Verdict verdict) {
   }
   {
     const std::lock_guard lock(mutex_);
-    if (!verdict.timedOut.empty()) confirmed_.emplace(verdict.timedOut, verdict);
+    if (verdict.timedOut == Session::loading) loading_ = verdict;
+    if (!verdict.timedOut.empty()) unreturned_.insert(verdict.timedOut);
     graded_.verdicts.insert_or_assign(criterion.suite, std::move(verdict));
   }
   finishPart();

@@ -1,9 +1,11 @@
 #pragma once
 #include "grader/run/grade.h"
 
-#include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <set>
+#include <string>
 
 namespace muelle::grader {
 
@@ -27,17 +29,13 @@ class ExerciseRun : public std::enable_shared_from_this<ExerciseRun> {
   /// The kept ones, or new ones.
   Curves curves();
 
-  /// The verdict that needs no test: a kept one, or that of a function that is known not to return.
-  std::optional<Verdict> known(const Criterion& criterion, Try attempt);
+  /// The verdict that needs no test: a kept one, or that of a file that does not end loading.
+  std::optional<Verdict> known(const Criterion& criterion);
+  Verdict asLoadingEnded(const Criterion& criterion) const;
+  bool isExpected(const Verdict& verdict);
   void settle(const Criterion& criterion, Verdict verdict);
   void finishPart();
   void fail(const std::string& what);
-
-  /// Verdicts of other criteria, by the function that did not return in them.
-  using Unreturned = std::map<std::string, Verdict>;
-  /// The one among them that the criterion cannot do without; null when there is none.
-  static const Verdict* unreturnedIn(const Unreturned& verdicts, const Criterion& criterion);
-  Verdict withoutTrying(const Criterion& criterion, const Verdict& elsewhere) const;
 
   Grader& grader_;
   Pool& pool_;
@@ -48,9 +46,9 @@ class ExerciseRun : public std::enable_shared_from_this<ExerciseRun> {
 
   std::mutex mutex_;
   GradedExercise graded_;
-  std::size_t missing_ = 0;  ///< criteria and curves that are not done
-  Unreturned suspected_;     ///< did not return once
-  Unreturned confirmed_;     ///< ... and once more, alone, or waits for what never comes
+  std::size_t missing_ = 0;           ///< criteria and curves that are not done
+  std::optional<Verdict> loading_;    ///< of a file that does not end loading
+  std::set<std::string> unreturned_;  ///< functions that did not return, though nothing else ran, or wait for ever
 };
 
 }  // namespace muelle::grader

@@ -2,7 +2,9 @@
 
 #include "base/file.h"
 
+#include <fmt/format.h>
 #include <algorithm>
+#include <stdexcept>
 #include <vector>
 
 namespace muelle::grader {
@@ -52,7 +54,12 @@ std::optional<std::string> Store::read(std::string_view key, std::string_view su
 
 void Store::write(std::string_view key, std::string_view suffix, std::string_view content) const {
   const fs::path path = file(key, suffix);
-  fs::create_directories(path.parent_path());
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
+  if (error)
+    throw std::runtime_error(
+        fmt::format("cannot keep results in {}: {}; mend that folder, or name another with MUELLE_KEPT",
+                    folder_.string(), error.message()));
   writeFile(path, content);
 }
 

@@ -22,6 +22,13 @@ State restOf(int n) {
   return {0.0, std::vector<double>(size, 0.0), std::vector<double>(size, 0.0), {}};
 }
 
+/// Two masses of 1 kg: a spring of 1e6 N/m to the wall and one of 1 N/m between them.
+LinearSystem stiffAndSoft() {
+  Matrix K = Matrix::Zero(2, 2);
+  K << 1e6 + 1.0, -1.0, -1.0, 1.0;
+  return {Vector::Ones(2), K, Matrix::Zero(2, 2)};
+}
+
 double imaginaryLimit(const char* id) {
   const auto method = makeMethod(id);
   return Amplification(*method).imaginaryLimit();
@@ -87,9 +94,7 @@ double largestStep(const System& system, const char* id) {
 
 TEST(Stability, TheLimitOfTheStiffnessRatioIsThatOfItsFastMode) {
   // Hard case H11: springs of 1e6 and 1 N/m.
-  Matrix K(2, 2);
-  K << 1e6 + 1.0, -1.0, -1.0, 1.0;
-  const LinearSystem system(Vector::Ones(2), K, Matrix::Zero(2, 2));
+  const LinearSystem system = stiffAndSoft();
   EXPECT_NEAR(largestStep(system, "velocity_verlet"), 0.00199999899999975000088, 1e-9);
   EXPECT_NEAR(largestStep(system, "symplectic_euler"), 0.00199999899999975000088, 1e-9);
   EXPECT_TRUE(std::isinf(largestStep(system, "backward_euler")));
@@ -177,9 +182,7 @@ TEST(Stability, CoupledStiffnessAndDampingAgreeWithTheEigenvaluesOfTheStep) {
 }
 
 TEST(Stability, TheSentenceNamesMethodLimitAndUnknown) {
-  Matrix K(2, 2);
-  K << 1e6 + 1.0, -1.0, -1.0, 1.0;
-  const LinearSystem system(Vector::Ones(2), K, Matrix::Zero(2, 2));
+  const LinearSystem system = stiffAndSoft();
   const auto method = makeMethod("velocity_verlet");
   const StabilityReport report = stability(system, *method, restOf(2));
   EXPECT_EQ(report.sentence,

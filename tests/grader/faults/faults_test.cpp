@@ -6,7 +6,11 @@
 #include "small_disk.h"
 #include "staged.h"
 
+#include <algorithm>
 #include <csignal>
+#include <optional>
+#include <set>
+#include <vector>
 
 namespace muelle::grader {
 namespace {
@@ -87,6 +91,27 @@ TEST_F(Fault, ACompilerThatIsStoppedPastItsWallLimit) {
         return std::make_unique<Hunter>("cc1plus", SIGSTOP);
       },
       [this] { workplace_.limits = CompileLimits(); });
+}
+
+/// What one criterion finds out of a function takes no points from another, whichever is judged first.
+TEST_F(Fault, AFunctionThatDoesNotReturnForSomeInputsCostsWhatAsksForThese) {
+  Sources sources = honest();
+  std::string& text = sources.begin()->second;
+  const std::string guard = "if (L == 0) return 0;";
+  const std::size_t at = text.find(guard);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, guard.size(), "while (L == 0) {}");
+  std::set<std::vector<std::optional<double>>> rows;
+  for (const int jobs : {1, 2, 3}) {
+    std::vector<std::optional<double>> row;
+    const GradedExercise graded = grade(sources, jobs);
+    for (const Criterion& criterion : graded.manifest.criteria) row.push_back(score(criterion, graded));
+    rows.insert(row);
+    const auto lost = std::count(row.begin(), row.end(), 0.0);
+    EXPECT_EQ(lost, 1) << "only the coincident nodes, with " << jobs << " jobs";
+    remove_all(workplace_.kept);
+  }
+  EXPECT_EQ(rows.size(), 1u);
 }
 
 TEST_F(Fault, AWorkerThatIsKilled) {

@@ -33,14 +33,19 @@ GradedExercise StagedFault::grade(const Sources& sources, SandboxChoice sandbox,
   return grade(sources, makeSandbox(sandbox), sandbox, withCurves);
 }
 
+GradedExercise StagedFault::grade(const Sources& sources, int jobs) {
+  constexpr SandboxChoice any = SandboxChoice::Automatic;
+  return grade(sources, makeSandbox(any), any, false, jobs);
+}
+
 GradedExercise StagedFault::grade(const Sources& sources, std::unique_ptr<Sandbox> sandbox, SandboxChoice choice,
-                                  bool withCurves) {
+                                  bool withCurves, int jobs) {
   GradeOptions options;
   options.seed = "staged faults";
   options.sandbox = choice;
   options.withCurves = withCurves;
   Grader grader(workplace_, {exercise_}, options, std::move(sandbox));
-  Pool pool(2);
+  Pool pool(jobs);
   GradedExercise result;
   grader.addExercise(pool, exercise_, &sources, {}, [&result](GradedExercise graded) { result = std::move(graded); });
   pool.run();

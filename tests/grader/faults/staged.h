@@ -18,8 +18,9 @@ class StagedFault : public ::testing::Test {
   /// Grades once, as a command of its own would: what earlier ones have kept is found.
   GradedExercise grade(const Sources& sources, SandboxChoice sandbox = SandboxChoice::Automatic,
                        bool withCurves = false);
+  GradedExercise grade(const Sources& sources, int jobs);
   GradedExercise grade(const Sources& sources, std::unique_ptr<Sandbox> sandbox, SandboxChoice choice,
-                       bool withCurves = false);
+                       bool withCurves = false, int jobs = 2);
   /// Programs that the last grading has started.
   int started() const { return started_; }
 

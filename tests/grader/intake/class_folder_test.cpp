@@ -60,7 +60,7 @@ TEST_F(ClassListing, NotesWhatIsNoSubmission) {
   folder_.write(".bo/spring_1d.cpp", "one");
   folder_.write("Ana_7_assignsubmission_onlinetext_/onlinetext.html", "");
   folder_.write("Ana_7_assignsubmission_file_report.pdf", "");
-  std::filesystem::create_symlink("/etc", folder_.path() / "link");
+  std::filesystem::create_symlink("/etc/passwd", folder_.path() / "link");
   const ClassFolder listing = listClass(folder_.path());
   EXPECT_EQ(students(), std::vector<std::string>{"Ana (7)"});
   EXPECT_EQ(listing.notes,
@@ -68,6 +68,17 @@ TEST_F(ClassListing, NotesWhatIsNoSubmission) {
                 ".bo is not graded: hidden", "Ana_7_assignsubmission_onlinetext_ is not graded: a text typed online",
                 "assignment.pdf is not graded: no submission", "grades.csv is not graded: no submission",
                 "link is not graded: a symbolic link", "list.XLSX is not graded: no submission"}));
+}
+
+TEST_F(ClassListing, RefusesALinkThatMayBeMeant) {
+  folder_.write("ana.cpp", "");
+  std::filesystem::create_symlink("/etc", folder_.path() / "Bo_2_assignsubmission_file_");
+  std::filesystem::create_symlink("/etc", folder_.path() / "eva");
+  std::filesystem::create_symlink("ana.cpp", folder_.path() / "luis.zip");
+  ASSERT_EQ(students(), (std::vector<std::string>{"Bo (2)", "ana", "eva", "luis"}));
+  for (const ClassEntry& entry : listClass(folder_.path()).entries) {
+    EXPECT_EQ(entry.refusal.find("is a symbolic link") != std::string::npos, entry.student != "ana") << entry.student;
+  }
 }
 
 TEST_F(ClassListing, NotesStrayTextsAndPictures) {

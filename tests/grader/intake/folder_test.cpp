@@ -109,6 +109,14 @@ TEST_F(FolderLayout, SkipsHiddenFolders) {
   EXPECT_TRUE(isNoted(s, "ignored 2 hidden files or folders"));
 }
 
+TEST_F(FolderLayout, CopiesThatDifferInLineEndsAreEqual) {
+  folder_.write("spring_1d.cpp", "one\ntwo\n");
+  folder_.write("windows/spring_1d.cpp", "one\r\ntwo\r\n");
+  const Submission s = take();
+  EXPECT_TRUE(s.refused.empty());
+  EXPECT_TRUE(s.sources.contains("spring_1d"));
+}
+
 TEST_F(FolderLayout, TakesAFileWhoseNameDiffersInCase) {
   folder_.write("Triangle.CPP", "two");
   EXPECT_TRUE(isNoted(take(), "triangle.cpp is taken from 'Triangle.CPP'"));
