@@ -111,8 +111,9 @@ void ExerciseRun::settle(const Criterion& criterion, Verdict verdict) {
   }
   {
     const std::lock_guard lock(mutex_);
-    if (verdict.timedOut == Session::loading) loading_ = verdict;
-    if (!verdict.timedOut.empty()) unreturned_.insert(verdict.timedOut);
+    const bool isTheFiles = verdict.graderFault.empty() && !verdict.timedOut.empty();
+    if (isTheFiles && verdict.timedOut == Session::loading) loading_ = verdict;
+    if (isTheFiles) unreturned_.insert(verdict.timedOut);
     graded_.verdicts.insert_or_assign(criterion.suite, std::move(verdict));
   }
   finishPart();
