@@ -6,9 +6,9 @@
 #include "base/errors.h"
 #include "base/text/printable.h"
 #include "engine/integrators/catalogue.h"
-#include "engine/scene/run_scene.h"
-#include "engine/scene/scene_figures.h"
 #include "figures/write.h"
+#include "lab/run/run_scene.h"
+#include "lab/run/scene_figures.h"
 
 #include <fmt/format.h>
 #include <cstdio>
@@ -20,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace muelle::engine;
+using namespace muelle::lab;
 
 struct Command {
   std::string scene;

@@ -1,11 +1,13 @@
-#include "engine/scene/run_scene.h"
-#include "engine/scene/scene_figures.h"
+#include "lab/run/run_scene.h"
+#include "lab/run/scene_figures.h"
 #include "scene_text.h"
 
 #include <gmock/gmock.h>
 #include <cmath>
 
-namespace muelle::engine {
+namespace muelle::lab {
+
+using namespace engine;
 namespace {
 
 using ::testing::HasSubstr;
@@ -166,4 +168,4 @@ TEST(Figures, TakeATitleInAnyAlphabet) {
 }
 
 }  // namespace
-}  // namespace muelle::engine
+}  // namespace muelle::lab

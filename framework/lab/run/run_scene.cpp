@@ -1,4 +1,4 @@
-#include "engine/scene/run_scene.h"
+#include "lab/run/run_scene.h"
 
 #include "engine/integrators/catalogue.h"
 
@@ -7,7 +7,9 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace muelle::engine {
+namespace muelle::lab {
+
+using namespace engine;
 
 namespace {
 
@@ -266,4 +268,4 @@ std::string summaryOf(const Scene& scene, const SceneRun& run) {
   return text;
 }
 
-}  // namespace muelle::engine
+}  // namespace muelle::lab
