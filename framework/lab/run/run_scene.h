@@ -9,12 +9,12 @@ namespace muelle::lab {
 
 /// What the command line says otherwise than the scene.
 struct RunOverrides {
-  std::string method;  ///< id of the catalogue ("velocity-verlet" is understood too); empty: the scene's
+  std::string method;  ///< id of the catalogue ("velocity-verlet" is understood, too); empty: the scene's
   std::optional<double> step;
   std::optional<double> tolerance;
   std::optional<double> duration;
   std::optional<double> outputInterval;
-  bool noEvents = false;
+  std::optional<bool> events;  ///< whether steps end at contacts and jumps
   bool compensated = false;
 };
 
