@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <CLI/CLI.hpp>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -47,6 +48,7 @@ struct CommandLine::Parts {
   std::function<int()> action;
   std::vector<std::string>* rest = nullptr;
   std::vector<std::unique_ptr<CommandLine>> commands;
+  std::map<std::string, std::string> renamed;  // what an old name is called now
 
   /// The names of options that begin with "--", those that are read here and not by another program.
   std::vector<std::string> optionNames() const {
@@ -78,7 +80,9 @@ struct CommandLine::Parts {
     const std::string message = error.what();
     if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr) return message;
     for (const std::string& word : app->remaining()) {
-      if (word.starts_with("--")) return message + didYouMean(word.substr(0, word.find('=')), optionNames());
+      const std::string name = word.substr(0, word.find('='));
+      if (const auto old = renamed.find(name); old != renamed.end()) return name + " is now " + old->second;
+      if (word.starts_with("--")) return message + didYouMean(name, optionNames());
     }
     return message;
   }
@@ -122,6 +126,8 @@ CommandLineOption CommandLine::option(const std::string& names, std::vector<std:
 CommandLineOption CommandLine::flag(const std::string& names, bool& target, const std::string& description) {
   return CommandLineOption(parts_->app->add_flag(names, target, description));
 }
+
+void CommandLine::renamed(const std::string& old, const std::string& now) { parts_->renamed[old] = now; }
 
 void CommandLine::footer(const std::string& text) { parts_->app->footer(text); }
 

@@ -53,6 +53,9 @@ class CommandLine {
   /// An option without a value.
   CommandLineOption flag(const std::string& names, bool& target, const std::string& description);
 
+  /// A name that an option no longer has: refused in a line that ends in `now`, "--step SECONDS".
+  void renamed(const std::string& old, const std::string& now);
+
   /// Lines below the options in --help.
   void footer(const std::string& text);
   /// What run() does when this command was asked for; its result is the exit code.

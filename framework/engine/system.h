@@ -2,6 +2,7 @@
 #include "engine/capabilities.h"
 #include "harness/dynamical_system.h"
 
+#include <limits>
 #include <string>
 
 namespace muelle::engine {
@@ -21,6 +22,9 @@ class System : public DynamicalSystem {
   /// Whether a force changes with time in a way that no declared time announces: an adaptive method could step over it,
   /// and has to be given a largest step.
   virtual bool hasUnannouncedForce() const { return false; }
+  /// The shortest period [s] of what acts or moves at time t as a function of time; infinite where nothing has one. It
+  /// bounds the steps of adaptive methods, whose error estimate sees a vibration only when it is sampled.
+  virtual double shortestPeriod(double /*t*/) const { return std::numeric_limits<double>::infinity(); }
 
   virtual const Potential* potential() const { return nullptr; }
   virtual const Drag* drag() const { return nullptr; }

@@ -1,5 +1,5 @@
 #include "base/build_paths.h"
-#include "engine/scene/run_scene.h"
+#include "lab/run/run_scene.h"
 #include "tools.h"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ Figure rabbit() {
       engine::readScene(std::filesystem::path(build_paths::source) / "framework/engine/scenes/rabbit_squeezed.toml");
   const engine::Obstacle& plate = scene.model.obstacles.at(1);
   scene.duration = scene.outputInterval = 1.5;  // the plate stops at 0.6 s; then the motion dies
-  const engine::SceneRun squeezed = engine::runScene(scene);
+  const lab::SceneRun squeezed = lab::runScene(scene);
   const engine::ModelSystem& system = *squeezed.system;
 
   double fastest = 0.0;

@@ -28,22 +28,27 @@ expect 0 "rabbit_squeezed" --list
 expect 0 "velocity_verlet" --methods
 expect 0 "step halved, order 2" oscillator --out "$folder/summary"
 [[ ! -e "$folder/summary" ]] || { echo "muelle run wrote without --plot or --csv" >&2; failures=$((failures + 1)); }
-expect 0 "symplectic Euler" oscillator --integrator symplectic-euler --dt 0.001 --duration 1
+expect 0 "symplectic Euler" oscillator --method symplectic-euler --step 0.001 --duration 1
 expect 0 "not estimated" oscillator --no-error-estimate
 expect 0 "oscillator_energy.svg" oscillator --plot --csv --out "$folder/figures"
 for file in oscillator_energy.svg oscillator_outputs.svg oscillator_shape.svg oscillator.csv; do
   [[ -s "$folder/figures/$file" ]] || { echo "muelle run did not write $file" >&2; failures=$((failures + 1)); }
 done
-expect 1 "muelle: oscillator:" oscillator --integrator explicit_euler --dt 0.5 --duration 100
+expect 1 "muelle: oscillator:" oscillator --method explicit_euler --step 0.5 --duration 100
 expect 2 "SCENE is missing"
 expect 2 "did you mean 'oscillator'?" oscilator
 expect 2 "no scene file" missing/scene.toml
-expect 2 "did you mean 'dop853'?" oscillator --integrator dop85
-expect 2 "--dt is 0 s" oscillator --dt 0
-expect 2 "--dt is nan s" oscillator --dt nan
+expect 2 "did you mean 'dop853'?" oscillator --method dop85
+expect 2 "--step is 0 s" oscillator --step 0
+expect 2 "--step is nan s" oscillator --step nan
 expect 2 "has no error estimate" oscillator --tolerance 1e-6
 expect 2 "--duraton" oscillator --duraton 3
-expect 2 "velocity" dumbbell --integrator nystrom8
+expect 2 "--integrator is now --method ID" oscillator --integrator dop853
+expect 2 "--dt is now --step SECONDS" oscillator --dt=0.1
+expect 2 "--no-events is now --events off" oscillator --no-events
+expect 0 "bouncing_ball" bouncing_ball --events off --duration 0.1
+expect 2 "--events" bouncing_ball --events maybe
+expect 2 "velocity" dumbbell --method nystrom8
 printf 'title = "x"\ngravty = 3\n' >"$folder/bad.toml"
 expect 2 "bad.toml:2: key 'gravty': unknown; did you mean 'gravity'?" "$folder/bad.toml"
 exit $((failures > 0))

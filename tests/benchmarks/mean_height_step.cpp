@@ -4,7 +4,7 @@
 
 #include "engine/integrators/catalogue.h"
 #include "engine/model/model_system.h"
-#include "models.h"
+#include "lab/hard_cases/models.h"
 
 #include <fmt/format.h>
 #include <algorithm>

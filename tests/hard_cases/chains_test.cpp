@@ -6,9 +6,9 @@
 #include "engine/solve/dense.h"
 #include "engine/solve/linear_solver.h"
 #include "engine/statics/equilibrium.h"
-#include "models.h"
-#include "references.h"
-#include "running.h"
+#include "lab/hard_cases/models.h"
+#include "lab/hard_cases/references.h"
+#include "lab/hard_cases/running.h"
 
 #include <gtest/gtest.h>
 #include <cmath>

@@ -4,9 +4,9 @@
 #include "engine/integrators/catalogue.h"
 #include "engine/integrators/position_based/methods.h"
 #include "engine/statics/equilibrium.h"
-#include "models.h"
-#include "references.h"
-#include "running.h"
+#include "lab/hard_cases/models.h"
+#include "lab/hard_cases/references.h"
+#include "lab/hard_cases/running.h"
 
 #include <gtest/gtest.h>
 #include <cmath>

@@ -1,8 +1,8 @@
 /// \file
 /// The references of cases.json: complete, and those that were derived here are derived again.
 
+#include "lab/hard_cases/references.h"
 #include "reference/derived.h"
-#include "references.h"
 
 #include <gtest/gtest.h>
 #include <set>

@@ -1,10 +1,10 @@
 /// \file
 /// The matrix of the hard cases: its predictions are theory, its verdicts cannot be talked into passing.
 
-#include "matrix/matrix.h"
+#include "lab/hard_cases/matrix.h"
 #include "base/file.h"
 #include "engine/integrators/catalogue.h"
-#include "references.h"
+#include "lab/hard_cases/references.h"
 
 #include <gtest/gtest.h>
 #include <cmath>

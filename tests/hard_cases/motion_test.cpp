@@ -5,9 +5,9 @@
 #include "engine/integrators/catalogue.h"
 #include "engine/integrators/position_based/methods.h"
 #include "engine/solve/dense.h"
-#include "models.h"
-#include "references.h"
-#include "running.h"
+#include "lab/hard_cases/models.h"
+#include "lab/hard_cases/references.h"
+#include "lab/hard_cases/running.h"
 
 #include <gtest/gtest.h>
 #include <cmath>

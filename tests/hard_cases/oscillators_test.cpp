@@ -2,9 +2,9 @@
 /// H01, H02, H03, H11, H23: one or two unknowns, where the discrete solution of each method is known in closed form.
 
 #include "engine/integrators/catalogue.h"
-#include "models.h"
-#include "references.h"
-#include "running.h"
+#include "lab/hard_cases/models.h"
+#include "lab/hard_cases/references.h"
+#include "lab/hard_cases/running.h"
 
 #include <gtest/gtest.h>
 #include <cmath>

@@ -6,9 +6,9 @@
 #include "base/errors.h"
 #include "base/text/printable.h"
 #include "engine/integrators/catalogue.h"
-#include "engine/scene/run_scene.h"
-#include "engine/scene/scene_figures.h"
 #include "figures/write.h"
+#include "lab/run/run_scene.h"
+#include "lab/run/scene_figures.h"
 
 #include <fmt/format.h>
 #include <cstdio>
@@ -20,10 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace muelle::engine;
+using namespace muelle::lab;
 
 struct Command {
   std::string scene;
   RunOverrides overrides;
+  std::string events;
   std::string out;
   bool plot = false;
   bool csv = false;
@@ -68,10 +70,11 @@ void writeResults(const Command& command, const Scene& scene, const SceneRun& ru
   }
 }
 
-int run(const Command& command) {
+int run(Command& command) {
   if (command.list) return listScenesWithTitles();
   if (command.methods) return listMethods();
   if (command.scene.empty()) throw std::invalid_argument("SCENE is missing; ./muelle run --list names them");
+  if (!command.events.empty()) command.overrides.events = command.events == "on";
   const Scene scene = applied(readScene(findScene(command.scene, sceneFolder())), command.overrides);
   SceneRun result = runScene(scene, scene.name);
   if (!command.noErrorEstimate && !result.result.failed()) {
@@ -89,13 +92,16 @@ int parseAndRun(int argc, char** argv) {
   Command command;
   muelle::CommandLine program("./muelle run", "Simulates a scene and says what it cost and how far it is off.");
   program.option("SCENE", command.scene, "A scene by its name (--list), or a file SCENE.toml");
-  program.option("--integrator", command.overrides.method, "The method, by its id (--methods) [the scene's]");
-  program.option("--dt", command.overrides.step, "Fixed step [s] [the scene's]");
+  program.option("--method", command.overrides.method, "The method, by its id (--methods) [the scene's]");
+  program.option("--step", command.overrides.step, "Fixed step [s] [the scene's]");
   program.option("--tolerance", command.overrides.tolerance,
                  "Relative tolerance of a method with an error estimate [the scene's]");
   program.option("--duration", command.overrides.duration, "Time to simulate [s] [the scene's]");
   program.option("--output-interval", command.overrides.outputInterval, "Time between outputs [s] [the scene's]");
-  program.flag("--no-events", command.overrides.noEvents, "Step over contacts and jumps instead of ending steps there");
+  program
+      .option("--events", command.events,
+              "End steps at contacts and jumps, or (off) step over them [the scene's, or on]")
+      .oneOf({"on", "off"});
   program.flag("--compensated", command.overrides.compensated, "Compensated summation, for long runs");
   program.flag("--no-error-estimate", command.noErrorEstimate,
                "Leave out the second run, with half the step, that costs twice the first");
@@ -104,11 +110,14 @@ int parseAndRun(int argc, char** argv) {
   program.option("--out", command.out, "Folder for figures and table [out/SCENE]");
   program.flag("--list", command.list, "Name the scenes, run none");
   program.flag("--methods", command.methods, "Name the methods, run none");
+  program.renamed("--integrator", "--method ID");
+  program.renamed("--dt", "--step SECONDS");
+  program.renamed("--no-events", "--events off");
   program.footer(
       "Exit code: 0 done; 1 the run failed before its end; 2 bad usage or input.\n"
       "Examples: ./muelle run oscillator --plot\n"
-      "          ./muelle run corner_hung_cloth --integrator velocity_verlet --dt 1e-4\n"
-      "          ./muelle run elastic_pendulum --integrator dop853 --tolerance 1e-12 --csv --out results\n"
+      "          ./muelle run corner_hung_cloth --method velocity_verlet --step 1e-4\n"
+      "          ./muelle run elastic_pendulum --method dop853 --tolerance 1e-12 --csv --out results\n"
       "          ./muelle run my_scene.toml");
   program.action([&command] { return run(command); });
   return program.run(argc, argv);

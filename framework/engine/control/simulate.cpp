@@ -179,7 +179,8 @@ void Run::begin() {
 double Run::shortestStep() const { return std::max(2.0 * timeRounding(from_.t, end_), 1e-15 * options_.duration); }
 
 PlannedStep Run::planByError() const {
-  const double h = controller_->h();
+  constexpr double samplesAPeriod = 8.0;  // lest a vibration looks like none
+  const double h = std::min(controller_->h(), system_.shortestPeriod(from_.t) / samplesAPeriod);
   const double rest = stops_.next().t - from_.t;
   if (rest <= h * (1.0 + 1e-6)) return {stops_.next().t, rest, true, false};
   // Two equal steps to the stop instead of a long one and a sliver.

@@ -1,17 +1,10 @@
 #include "engine/forces/external_force.h"
 
+#include "engine/forces/segment.h"
+
 #include <algorithm>
 
 namespace muelle::engine {
-
-namespace {
-
-/// How many of the times have passed; one that is reached has.
-int segmentAt(const std::vector<double>& times, double t) {
-  return static_cast<int>(std::upper_bound(times.begin(), times.end(), t) - times.begin());
-}
-
-}  // namespace
 
 template <int D>
 void ExternalForce<D>::addForce(const Configuration& at, double* f) const {
@@ -19,8 +12,7 @@ void ExternalForce<D>::addForce(const Configuration& at, double* f) const {
   for (const Item& item : items_) {
     int segment = 0;
     if (!item.times.empty()) {
-      segment = *own > 0.0 ? static_cast<int>(*own) - 1 : segmentAt(item.times, at.t);
-      ++own;
+      segment = segmentOf(*own++, item.times, at.t);
     }
     const Vector F = item.force(at.t, segment);
     for (const int node : item.nodes) Eigen::Map<Vector>(f + D * node) += F;
@@ -35,11 +27,7 @@ int ExternalForce<D>::internalSize() const {
 
 template <int D>
 void ExternalForce<D>::declaredTimes(double from, double to, std::vector<double>& times) const {
-  for (const Item& item : items_) {
-    for (const double t : item.times) {
-      if (from < t && t <= to) times.push_back(t);
-    }
-  }
+  for (const Item& item : items_) appendTimes(item.times, from, to, times);
 }
 
 template <int D>
@@ -48,9 +36,7 @@ bool ExternalForce<D>::commit(const Configuration& at, bool frozen, double* z) c
   double* own = z + zOffset_;
   for (const Item& item : items_) {
     if (item.times.empty()) continue;
-    const double now = frozen ? segmentAt(item.times, at.t) + 1 : 0;
-    changed = changed || (*own > 0.0 && now != *own);
-    *own++ = now;
+    changed = commitSegment(*own++, item.times, at.t, frozen) || changed;
   }
   return changed;
 }

@@ -5,9 +5,8 @@
 
 namespace muelle::engine {
 
-/// The same force, a function of time alone, on each of some nodes. Where it jumps is declared: internal variable of
-/// each force with declared times is 0 when live, else one more than the number of those that have passed, so that a
-/// step that ends at a jump sees the near side alone.
+/// The same force, a function of time alone, on each of some nodes. Where it jumps is declared; each force with
+/// declared times has an internal variable (segment.h).
 template <int D>
 class ExternalForce final : public ForceBatch {
  public:

@@ -1,5 +1,7 @@
 #include "engine/model/mass_spring_system.h"
 
+#include "engine/forces/segment.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <Eigen/Geometry>
@@ -49,14 +51,25 @@ MassSpringSystem::MassSpringSystem(Model model, Numbering numbering, std::vector
     constraintStart_.push_back(constraintStart_.back() + batch->constraintCount());
     batch->declaredTimes(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), times);
   }
+  motionOffset_ = internalSize_;
+  for (const Motion& motion : model_.motions) motionsChange_ = motionsChange_ || !motion.times.empty();
+  if (motionsChange_) internalSize_ += static_cast<int>(model_.motions.size());
   switches_ = internalSize_ > 0 || guardCount_ > 0 || !times.empty();
 }
 
-void MassSpringSystem::setFixed(double t, Arrays& arrays) const {
+/// The stretch of a motion at time t; `z` may be empty: then the time alone tells.
+int MassSpringSystem::segment(std::size_t motion, double t, In z) const {
+  const double own = z.empty() || !motionsChange_ ? 0.0 : z[static_cast<std::size_t>(motionOffset_) + motion];
+  return segmentOf(own, model_.motions[motion].times, t);
+}
+
+void MassSpringSystem::setFixed(double t, In z, Arrays& arrays) const {
   for (const int i : moved_) {
     const ModelNode& node = model_.nodes[static_cast<std::size_t>(numbering_.user[static_cast<std::size_t>(i)])];
-    const Motion& motion = model_.motions[static_cast<std::size_t>(node.motion)];
-    const Vec3 x = motion.position(t), v = motion.velocity(t);
+    const auto index = static_cast<std::size_t>(node.motion);
+    const Motion& motion = model_.motions[index];
+    const int stretch = segment(index, t, z);
+    const Vec3 x = motion.position(t, stretch), v = motion.velocity(t, stretch);
     for (int c = 0; c < dimension_; ++c) {
       const int axis = numbering_.axes[static_cast<std::size_t>(c)];
       arrays.x[static_cast<std::size_t>(dimension_ * i + c)] = x[axis];
@@ -69,7 +82,7 @@ Configuration MassSpringSystem::gather(double t, In x, In v, In z, Arrays& array
   if (!hasFixed_) return {t, x.data(), v.data(), z.data()};
   std::copy(x.begin(), x.end(), arrays.x.begin());
   std::copy(v.begin(), v.end(), arrays.v.begin());
-  setFixed(t, arrays);
+  setFixed(t, z, arrays);
   return {t, arrays.x.data(), arrays.v.data(), z.data()};
 }
 
@@ -98,6 +111,14 @@ void MassSpringSystem::forceWithoutDrag(double t, In x, In v, In z, Out f) const
   double* sum = start(f);
   for (const auto& batch : batches_) batch->addForce(at, sum);
   finish(f);
+}
+
+double MassSpringSystem::shortestPeriod(double t) const {
+  double shortest = std::numeric_limits<double>::infinity();
+  const auto take = [&](const auto& item) { shortest = std::min(shortest, periodAt(item.periods, item.times, t)); };
+  std::ranges::for_each(model_.externalForces, take);
+  std::ranges::for_each(model_.motions, take);
+  return shortest;
 }
 
 bool MassSpringSystem::hasUnannouncedForce() const {
@@ -238,9 +259,19 @@ std::string MassSpringSystem::guardName(int i) const {
 void MassSpringSystem::declaredTimes(double from, double to, std::vector<double>& times) const {
   std::vector<double> own;
   for (const auto& batch : batches_) batch->declaredTimes(from, to, own);
+  for (const Motion& motion : model_.motions) appendTimes(motion.times, from, to, own);
   std::sort(own.begin(), own.end());
   own.erase(std::unique(own.begin(), own.end()), own.end());
   times.insert(times.end(), own.begin(), own.end());
+}
+
+bool MassSpringSystem::commitMotions(State& state, bool frozen) const {
+  bool changed = false;
+  for (std::size_t i = 0; motionsChange_ && i < model_.motions.size(); ++i) {
+    double& own = state.z[static_cast<std::size_t>(motionOffset_) + i];
+    changed = commitSegment(own, model_.motions[i].times, state.t, frozen) || changed;
+  }
+  return changed;
 }
 
 bool MassSpringSystem::commit(State& state, bool frozen) const {
@@ -249,6 +280,7 @@ bool MassSpringSystem::commit(State& state, bool frozen) const {
     state.z.assign(static_cast<std::size_t>(internalSize_), 0.0);
     changed = true;
   }
+  changed = commitMotions(state, frozen) || changed;
   const Configuration at = gather(state.t, state.x, state.v, state.z, first_);
   bool balance = false;
   for (const auto& batch : batches_) {
@@ -314,8 +346,10 @@ Vec3 MassSpringSystem::component(const State& state, int node, bool velocity) co
     const ModelNode& fixed = model_.nodes[static_cast<std::size_t>(node)];
     Vec3 full = velocity ? Vec3(Vec3::Zero()) : fixed.x;
     if (fixed.motion >= 0) {
-      const Motion& motion = model_.motions[static_cast<std::size_t>(fixed.motion)];
-      full = velocity ? motion.velocity(state.t) : motion.position(state.t);
+      const auto index = static_cast<std::size_t>(fixed.motion);
+      const Motion& motion = model_.motions[index];
+      const int stretch = segment(index, state.t, state.z);
+      full = velocity ? motion.velocity(state.t, stretch) : motion.position(state.t, stretch);
     }
     for (const int axis : numbering_.axes) result[axis] = full[axis];
     return result;

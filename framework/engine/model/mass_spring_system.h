@@ -35,6 +35,7 @@ class MassSpringSystem final : public ModelSystem,
   int internalSize() const override { return internalSize_; }
   bool forceUsesVelocity() const override;
   bool hasUnannouncedForce() const override;
+  double shortestPeriod(double t) const override;
   const Potential* potential() const override { return this; }
   const Drag* drag() const override { return drag_ ? this : nullptr; }
   const Linearisation* linearisation() const override { return this; }
@@ -87,7 +88,9 @@ class MassSpringSystem final : public ModelSystem,
     std::vector<double> x, v, f;
   };
   Configuration gather(double t, In x, In v, In z, Arrays& arrays) const;
-  void setFixed(double t, Arrays& arrays) const;
+  void setFixed(double t, In z, Arrays& arrays) const;
+  int segment(std::size_t motion, double t, In z) const;
+  bool commitMotions(State& state, bool frozen) const;
   double* start(Out f) const;
   void finish(Out f) const;
   void bind() const;
@@ -99,6 +102,8 @@ class MassSpringSystem final : public ModelSystem,
   int dimension_;
   int size_;
   int internalSize_ = 0;
+  bool motionsChange_ = false;  ///< some motion has declared times
+  int motionOffset_ = 0;        ///< of the internal variables of the motions then, one each
   int guardCount_ = 0;
   bool switches_ = false;
   bool hasFixed_;

@@ -9,10 +9,14 @@
 
 namespace muelle::engine {
 
-/// A motion given in advance: position and velocity over time.
+/// A motion given in advance: position and velocity over time, smooth between its declared times. `segment` is the
+/// number of these that have passed, frozen within a step: a method that looks beyond the step's ends sees the motion
+/// go on as it does inside.
 struct Motion {
-  std::function<Vec3(double t)> position;  ///< [m]
-  std::function<Vec3(double t)> velocity;  ///< [m/s], its derivative
+  std::function<Vec3(double t, int segment)> position;  ///< [m]
+  std::function<Vec3(double t, int segment)> velocity;  ///< [m/s], its derivative
+  std::vector<double> times = {};                       ///< where it begins and ends [s], ascending
+  std::vector<double> periods = {};  ///< [s] of each segment, infinite where it has none; empty: none has
 };
 
 /// A node as the user describes it. In 1D only the first component counts ("x" of the lecture; the height where there
@@ -83,7 +87,8 @@ struct ModelExternalForce {
   /// Force on each node [N]. `segment` is the number of declared times that have passed (frozen within a step, so that
   /// both sides of a jump are seen from their own side).
   std::function<Vec3(double t, int segment)> force;
-  std::vector<double> times;  ///< where the force jumps [s], ascending
+  std::vector<double> times;         ///< where the force jumps [s], ascending
+  std::vector<double> periods = {};  ///< [s] of each segment, infinite where it has none; empty: none has
   /// It may jump at other times too, which nobody knows: an adaptive method then wants a largest step, or it could pass
   /// over a pulse without seeing it.
   bool mayJump = false;

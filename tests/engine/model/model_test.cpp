@@ -129,7 +129,7 @@ Model everything() {
   model.obstacles.emplace_back();
   model.obstacles.back().kind = Obstacle::Kind::Sphere;
   model.gravity = {0, 0, -9.81};
-  model.motions = {{[](double t) { return Vec3(1 + t, 0, 0); }, [](double) { return Vec3(1, 0, 0); }}};
+  model.motions = {{[](double t, int) { return Vec3(1 + t, 0, 0); }, [](double, int) { return Vec3(1, 0, 0); }}};
   model.nodes[4].motion = 0;
   for (ModelNode& node : model.nodes) node.drag = 0.3;
   return model;
@@ -203,7 +203,7 @@ TEST(Momentum, InternalForcesSumToZeroWithoutATorque) {
 
 TEST(PrescribedMotion, MovesTheEndOfASpringAndDampsAgainstItsVelocity) {
   Model model = twoNodes();
-  model.motions = {{[](double t) { return Vec3(2 * t - 3, 0, 0); }, [](double) { return Vec3(2, 0, 0); }}};
+  model.motions = {{[](double t, int) { return Vec3(2 * t - 3, 0, 0); }, [](double, int) { return Vec3(2, 0, 0); }}};
   model.nodes[0].motion = 0;
   model.springs[0] = {.a = 0, .b = 1, .k = 10.0, .L0 = 1.0, .dRelative = 0.5};
   const auto system = build(model);

@@ -286,8 +286,8 @@ TEST(Odeint, MassOnAShakenAnchorUnderATimeDependentForce) {
   Model model;
   model.gravity = {0, 0, -g};
   Motion shake;
-  shake.position = [](double t) { return Vec3(0.1 * std::sin(3.0 * t), 0.05 * std::sin(2.0 * t), 0.0); };
-  shake.velocity = [](double t) { return Vec3(0.3 * std::cos(3.0 * t), 0.1 * std::cos(2.0 * t), 0.0); };
+  shake.position = [](double t, int) { return Vec3(0.1 * std::sin(3.0 * t), 0.05 * std::sin(2.0 * t), 0.0); };
+  shake.velocity = [](double t, int) { return Vec3(0.3 * std::cos(3.0 * t), 0.1 * std::cos(2.0 * t), 0.0); };
   model.motions = {shake};
   model.nodes = {node({0, 0, 0}), node({0, 0.3, -1.0})};
   model.nodes[0].motion = 0;

@@ -1,3 +1,4 @@
+#include "engine/forces/segment.h"
 #include "scene_text.h"
 
 #include <gmock/gmock.h>
@@ -159,16 +160,17 @@ TEST(Motion, IsSmoothAndItsVelocityIsItsDerivative) {
                       "[[motion]]\nnodes = [2]\nvelocity = [0, 0, -3]\nduring = [0.5, 1.5]\n"));
   ASSERT_EQ(scene.model.motions.size(), 3u);
   const std::vector<Motion>& motions = scene.model.motions;
-  EXPECT_EQ(motions[0].position(0.5), Vec3(1, 0, 0));
-  EXPECT_EQ(motions[0].position(2.0), Vec3(2, 0, 0.5));  // half the way at half the time
-  EXPECT_EQ(motions[0].position(9.0), Vec3(3, 0, 1));
-  EXPECT_NEAR(motions[1].position(0.125)[1], 0.5, 1e-15);  // a quarter of the period
-  EXPECT_EQ(motions[2].position(9.0), Vec3(3, 0, -3));
+  const auto at = [](const Motion& motion, double t) { return motion.position(t, segmentAt(motion.times, t)); };
+  EXPECT_EQ(at(motions[0], 0.5), Vec3(1, 0, 0));
+  EXPECT_EQ(at(motions[0], 2.0), Vec3(2, 0, 0.5));  // half the way at half the time
+  EXPECT_EQ(at(motions[0], 9.0), Vec3(3, 0, 1));
+  EXPECT_NEAR(at(motions[1], 0.125)[1], 0.5, 1e-15);  // a quarter of the period
+  EXPECT_EQ(at(motions[2], 9.0), Vec3(3, 0, -3));
   for (const Motion& motion : motions) {
     for (const double t : {0.3, 1.2, 2.7, 4.0}) {
       const double e = 1e-6;  // central difference: e^2 times the third derivative (2 pi f)^3 / 2 = 1e3, below 1e-8
-      const Vec3 difference = (motion.position(t + e) - motion.position(t - e)) / (2 * e);
-      EXPECT_LT((difference - motion.velocity(t)).norm(), 1e-8) << t;
+      const Vec3 difference = (at(motion, t + e) - at(motion, t - e)) / (2 * e);
+      EXPECT_LT((difference - motion.velocity(t, segmentAt(motion.times, t))).norm(), 1e-8) << t;
     }
   }
 }

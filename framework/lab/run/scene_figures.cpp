@@ -1,4 +1,4 @@
-#include "engine/scene/scene_figures.h"
+#include "lab/run/scene_figures.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -6,7 +6,9 @@
 #include <limits>
 #include <string_view>
 
-namespace muelle::engine {
+namespace muelle::lab {
+
+using namespace engine;
 
 namespace {
 
@@ -210,4 +212,4 @@ std::vector<Figure> figuresOf(const Scene& scene, const SceneRun& run) {
   return figures;
 }
 
-}  // namespace muelle::engine
+}  // namespace muelle::lab

@@ -1,4 +1,4 @@
-#include "references.h"
+#include "lab/hard_cases/references.h"
 
 #include "base/file.h"
 

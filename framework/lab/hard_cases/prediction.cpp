@@ -1,4 +1,4 @@
-#include "matrix/prediction.h"
+#include "lab/hard_cases/prediction.h"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "matrix/linear_theory.h"
+#include "lab/hard_cases/linear_theory.h"
 
 #include "engine/solve/dense.h"
 

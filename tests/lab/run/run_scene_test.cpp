@@ -1,11 +1,13 @@
-#include "engine/scene/run_scene.h"
-#include "engine/scene/scene_figures.h"
+#include "lab/run/run_scene.h"
+#include "lab/run/scene_figures.h"
 #include "scene_text.h"
 
 #include <gmock/gmock.h>
 #include <cmath>
 
-namespace muelle::engine {
+namespace muelle::lab {
+
+using namespace engine;
 namespace {
 
 using ::testing::HasSubstr;
@@ -61,7 +63,7 @@ TEST(Overrides, ReplaceMethodStepAndDuration) {
   overrides.method = "symplectic-euler";
   overrides.step = 0.002;
   overrides.duration = 0.5;
-  overrides.noEvents = true;
+  overrides.events = false;
   const Scene scene = applied(oscillator(), overrides);
   EXPECT_EQ(scene.method, "symplectic_euler");
   const RunOptions options = optionsOf(scene);
@@ -96,11 +98,11 @@ std::string complaintAboutOverrides(const RunOverrides& overrides) {
 TEST(Overrides, SayWhichOptionIsWrong) {
   RunOverrides overrides;
   overrides.tolerance = 1e-6;
-  EXPECT_EQ(complaintAboutOverrides(overrides), "--tolerance: velocity_verlet has no error estimate; give --dt");
+  EXPECT_EQ(complaintAboutOverrides(overrides), "--tolerance: velocity_verlet has no error estimate; give --step");
   overrides.tolerance.reset();
   for (const double step : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
     overrides.step = step;
-    EXPECT_THAT(complaintAboutOverrides(overrides), HasSubstr("--dt is ")) << step;
+    EXPECT_THAT(complaintAboutOverrides(overrides), HasSubstr("--step is ")) << step;
   }
   overrides.step.reset();
   overrides.duration = -1.0;
@@ -166,4 +168,4 @@ TEST(Figures, TakeATitleInAnyAlphabet) {
 }
 
 }  // namespace
-}  // namespace muelle::engine
+}  // namespace muelle::lab

@@ -1,4 +1,4 @@
-#include "matrix/matrix.h"
+#include "lab/hard_cases/matrix.h"
 
 #include "base/text/nearest.h"
 #include "engine/integrators/catalogue.h"

@@ -1,4 +1,4 @@
-#include "models.h"
+#include "lab/hard_cases/models.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 #include "engine/integrators/catalogue.h"
-#include "matrix/matrix.h"
-#include "references.h"
+#include "lab/hard_cases/matrix.h"
+#include "lab/hard_cases/references.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -156,7 +156,8 @@ std::string matrixCsv(const Matrix& matrix) {
 std::string matrixPage(const Matrix& matrix) {
   std::string page =
       "# Hard cases {#hard_cases}\n\n"
-      "Twenty-four problems with known answers (`tests/hard_cases/cases.json`), and every method of the engine on "
+      "Twenty-four problems with known answers (`framework/lab/hard_cases/cases.json`), and every method of the engine "
+      "on "
       "each. "
       "`./muelle hard-cases --out DIR` runs them and writes this page and its figure; "
       "`--case H01 --long` takes the oscillator through its million periods, as `MUELLE_LONG=1` does in the tests.\n\n"

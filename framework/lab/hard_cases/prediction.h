@@ -1,5 +1,5 @@
 #pragma once
-#include "matrix/variant.h"
+#include "lab/hard_cases/variant.h"
 
 #include <string>
 #include <vector>

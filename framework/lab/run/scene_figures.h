@@ -1,14 +1,14 @@
 #pragma once
-#include "engine/scene/run_scene.h"
 #include "harness/figure.h"
+#include "lab/run/run_scene.h"
 
 #include <vector>
 
-namespace muelle::engine {
+namespace muelle::lab {
 
 /// The figures of a run: NAME_energy (kinetic, potential, total), NAME_outputs (a panel for each output that is a
 /// number), NAME_shape (the springs at the start and at the end, seen in the scene's view; in 1D the positions over
 /// time) and NAME_path for the outputs that are paths.
-std::vector<Figure> figuresOf(const Scene& scene, const SceneRun& run);
+std::vector<Figure> figuresOf(const engine::Scene& scene, const SceneRun& run);
 
-}  // namespace muelle::engine
+}  // namespace muelle::lab

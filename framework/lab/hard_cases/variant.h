@@ -1,7 +1,7 @@
 #pragma once
-#include "matrix/linear_theory.h"
-#include "models.h"
-#include "running.h"
+#include "lab/hard_cases/linear_theory.h"
+#include "lab/hard_cases/models.h"
+#include "lab/hard_cases/running.h"
 
 #include <functional>
 #include <string>

@@ -5,16 +5,16 @@
 #include <optional>
 #include <string>
 
-namespace muelle::engine {
+namespace muelle::lab {
 
 /// What the command line says otherwise than the scene.
 struct RunOverrides {
-  std::string method;  ///< id of the catalogue ("velocity-verlet" is understood too); empty: the scene's
+  std::string method;  ///< id of the catalogue ("velocity-verlet" is understood, too); empty: the scene's
   std::optional<double> step;
   std::optional<double> tolerance;
   std::optional<double> duration;
   std::optional<double> outputInterval;
-  bool noEvents = false;
+  std::optional<bool> events;  ///< whether steps end at contacts and jumps
   bool compensated = false;
 };
 
@@ -22,10 +22,10 @@ struct RunOverrides {
 /// a method without an error estimate takes the step; one with an estimate takes the tolerance, but the step when
 /// only that is given for it. Throws std::invalid_argument when a number makes no sense or what the method needs is
 /// missing: it says which option gives it.
-Scene applied(Scene scene, const RunOverrides& overrides);
+engine::Scene applied(engine::Scene scene, const RunOverrides& overrides);
 
 /// How a run goes that follows the scene.
-RunOptions optionsOf(const Scene& scene);
+engine::RunOptions optionsOf(const engine::Scene& scene);
 
 /// How far the result is off, measured by a second run.
 struct ErrorEstimate {
@@ -38,10 +38,10 @@ struct ErrorEstimate {
 
 /// What became of a scene.
 struct SceneRun {
-  std::unique_ptr<ModelSystem> system;
-  MethodInfo method;
-  RunOptions options;  ///< without probes: they refer to the system
-  RunResult result;
+  std::unique_ptr<engine::ModelSystem> system;
+  engine::MethodInfo method;
+  engine::RunOptions options;  ///< without probes: they refer to the system
+  engine::RunResult result;
   std::optional<ErrorEstimate> error;
 
   /// Largest |E(t) - E(0)| over the outputs, relative to max(|E(0)|, largest kinetic energy); 0 when both are.
@@ -51,18 +51,18 @@ struct SceneRun {
 };
 
 /// Builds and runs a scene as it stands (see applied()). `label` names the progress bar; empty: none.
-SceneRun runScene(const Scene& scene, const std::string& label = {});
+SceneRun runScene(const engine::Scene& scene, const std::string& label = {});
 
 /// Runs the scene again with half the step (an adaptive method: a tenth of the tolerance) and compares; costs two to
 /// three times the run itself. The estimate is only as good as the theory behind it: it assumes that the method shows
 /// its order.
-ErrorEstimate estimateError(const Scene& scene, const SceneRun& run, const std::string& label = {});
+ErrorEstimate estimateError(const engine::Scene& scene, const SceneRun& run, const std::string& label = {});
 
 /// The run's trajectory in the scene's numbering of nodes, pinned and moved ones included: D columns a node, D the
 /// scene's dimension (node i of a 3D scene has x 3i, 3i+1, 3i+2). Inside, the unknowns are numbered otherwise.
 Trajectory trajectoryOf(const SceneRun& run);
 
 /// The summary that `muelle run` prints: method, steps, times, error, energy, work, warnings, events.
-std::string summaryOf(const Scene& scene, const SceneRun& run);
+std::string summaryOf(const engine::Scene& scene, const SceneRun& run);
 
-}  // namespace muelle::engine
+}  // namespace muelle::lab

@@ -6,7 +6,7 @@
 #include "base/file.h"
 #include "base/progress_bar.h"
 #include "figures/write.h"
-#include "matrix/matrix.h"
+#include "lab/hard_cases/matrix.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,10 +1,12 @@
-#include "engine/scene/run_scene.h"
+#include "lab/run/run_scene.h"
 
 #include <gtest/gtest.h>
 #include <cmath>
 #include <set>
 
-namespace muelle::engine {
+namespace muelle::lab {
+
+using namespace engine;
 namespace {
 
 std::vector<std::string> sceneNames() {
@@ -91,4 +93,4 @@ TEST(DampingDominatedCloth, HasADampingRatioOfAtLeastFive) {
 }
 
 }  // namespace
-}  // namespace muelle::engine
+}  // namespace muelle::lab

@@ -1,5 +1,5 @@
-#include "matrix/variant.h"
-#include "references.h"
+#include "lab/hard_cases/references.h"
+#include "lab/hard_cases/variant.h"
 
 #include <cmath>
 

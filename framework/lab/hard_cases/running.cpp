@@ -1,4 +1,4 @@
-#include "running.h"
+#include "lab/hard_cases/running.h"
 
 #include "engine/integrators/catalogue.h"
 

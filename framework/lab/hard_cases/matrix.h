@@ -1,6 +1,6 @@
 #pragma once
 #include "harness/figure.h"
-#include "matrix/prediction.h"
+#include "lab/hard_cases/prediction.h"
 
 #include <functional>
 #include <string>

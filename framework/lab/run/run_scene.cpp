@@ -1,4 +1,4 @@
-#include "engine/scene/run_scene.h"
+#include "lab/run/run_scene.h"
 
 #include "engine/integrators/catalogue.h"
 
@@ -7,7 +7,9 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace muelle::engine {
+namespace muelle::lab {
+
+using namespace engine;
 
 namespace {
 
@@ -122,27 +124,27 @@ Scene applied(Scene scene, const RunOverrides& overrides) {
   }
   const bool adaptive = methodInfo(scene.method).adaptive;
   if (overrides.step && overrides.tolerance) {
-    throw std::invalid_argument("--dt and --tolerance: give one, a fixed step or a tolerance that chooses it");
+    throw std::invalid_argument("--step and --tolerance: give one, a fixed step or a tolerance that chooses it");
   }
   if (overrides.tolerance) {
     if (!adaptive) {
-      throw std::invalid_argument(fmt::format("--tolerance: {} has no error estimate; give --dt", scene.method));
+      throw std::invalid_argument(fmt::format("--tolerance: {} has no error estimate; give --step", scene.method));
     }
     scene.tolerance = positiveOption("--tolerance", "", *overrides.tolerance);
   } else if (overrides.step) {
-    scene.step = positiveOption("--dt", " s", *overrides.step);
+    scene.step = positiveOption("--step", " s", *overrides.step);
     scene.tolerance.reset();
   } else if (adaptive && !overrides.method.empty() && !scene.tolerance) {
     scene.tolerance = Tolerance{}.relative;  // the scene's step was meant for another method
   }
   if (!adaptive && !scene.step) {
-    throw std::invalid_argument(fmt::format("{} needs a step, and the scene has none: give --dt", scene.method));
+    throw std::invalid_argument(fmt::format("{} needs a step, and the scene has none: give --step", scene.method));
   }
   if (overrides.duration) scene.duration = positiveOption("--duration", " s", *overrides.duration);
   if (overrides.outputInterval) {
     scene.outputInterval = positiveOption("--output-interval", " s", *overrides.outputInterval);
   }
-  scene.locateEvents = scene.locateEvents && !overrides.noEvents;
+  scene.locateEvents = overrides.events.value_or(scene.locateEvents);
   scene.compensated = scene.compensated || overrides.compensated;
   return scene;
 }
@@ -266,4 +268,4 @@ std::string summaryOf(const Scene& scene, const SceneRun& run) {
   return text;
 }
 
-}  // namespace muelle::engine
+}  // namespace muelle::lab
