@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <cmath>
+#include <numbers>
 
 namespace muelle::lab {
 
@@ -56,6 +57,47 @@ TEST(ErrorEstimate, OfAnAdaptiveMethodBoundsTheTrueError) {
   const double estimate = estimateError(scene, result).error;
   EXPECT_GT(estimate, 0.5 * trueError);
   EXPECT_LT(estimate, 2.0 * trueError + 1e-14);
+}
+
+/// Where an anchor moves at u = 0.8 m/s and stops at T, the mass swings about it: y = x - anchor - L0 begins with the
+/// speed -u, and gains u at T. (omega = 10 / s.)
+double behindAnAnchorThatStops(double t, double T) {
+  constexpr double omega = 10.0, u = 0.8, L0 = 1.0;
+  const double y = -u / omega * std::sin(omega * T);
+  const double speed = u - u * std::cos(omega * T);
+  return u * T + L0 + y * std::cos(omega * (t - T)) + speed / omega * std::sin(omega * (t - T));
+}
+
+TEST(Motion, KeepsTheOrderOfAMethodWhereItEnds) {
+  const double T = 0.73, end = 1.5;
+  Scene scene = sceneFrom(head + "[[node]]\nx = 0.0\nm = 1.0\n[[node]]\nx = 1.0\nm = 1.0\n" +
+                          "[[spring]]\nnodes = [0, 1]\nk = 100.0\nL0 = 1.0\n" +
+                          "[[motion]]\nnodes = [0]\nvelocity = 0.8\nduring = [0.0, 0.73]\n" + run);
+  scene.method = "kahan_li_8";
+  scene.duration = end;
+  const auto error = [&](double h) {
+    scene.step = h;
+    return std::abs(runScene(scene).result.last.x[0] - behindAnAnchorThatStops(end, T));
+  };
+  const double coarse = error(0.05);
+  EXPECT_LT(coarse, 1e-5);
+  EXPECT_LT(error(0.025), coarse / std::pow(2.0, 7.0));  // of order 8, a step short of it for the cut at T
+}
+
+TEST(Force, ThatHumsIsNotSteppedOver) {
+  Scene scene = sceneFrom(head + "[[node]]\nx = 1.0\nm = 1.0\n[[node]]\nx = 0.0\npinned = true\n" +
+                          "[[spring]]\nnodes = [0, 1]\nk = 4.0\nL0 = 1.0\n" +
+                          "[[force]]\nnodes = [0]\nF = 100.0\nfrequency = 50.0\n" + run);
+  scene.method = "dop853";
+  scene.tolerance = 1e-2;
+  scene.duration = 2.0;
+  constexpr double omega = 2.0, drive = 100.0 * std::numbers::pi, F = 100.0;
+  const double amplitude = F / (omega * omega - drive * drive);
+  const double t = scene.duration;
+  const double exact = 1.0 + amplitude * (std::sin(drive * t) - drive / omega * std::sin(omega * t));
+  const SceneRun result = runScene(scene);
+  EXPECT_GE(result.result.work.steps, 8 * 100);  // eight a period
+  EXPECT_NEAR(result.result.last.x[0], exact, 1e-2 * std::abs(amplitude * drive / omega));
 }
 
 TEST(Overrides, ReplaceMethodStepAndDuration) {
