@@ -10,7 +10,6 @@ namespace muelle::hard_cases {
 namespace {
 
 using engine::MethodInfo;
-using engine::Stability;
 
 enum Rule { Refused, Missing, Growth, Cost, Ringing, Iteration, Conservation, Flight, LinearError, Tolerance };
 
