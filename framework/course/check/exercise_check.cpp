@@ -3,6 +3,7 @@
 #include "base/process/child.h"
 #include "base/text/printable.h"
 #include "course/check/compile_rules.h"
+#include "course/check/fault_sentences.h"
 #include "course/check/heap_damage.h"
 #include "course/check/report_line.h"
 #include "course/check/sanitizer_report.h"
@@ -111,9 +112,9 @@ class ReportReader {
   }
 
  private:
-  /// "twice aborted": the C library may have said why.
+  /// "twice called abort()": the C library may have said why.
   void explainAbort(const std::string& output) {
-    constexpr std::string_view plain = "aborted";
+    constexpr std::string_view plain = abortSentence;
     const std::string damage = report_.crash.ends_with(plain) ? heapDamage(output) : "";
     if (!damage.empty()) report_.crash.replace(report_.crash.size() - plain.size(), plain.size(), damage);
   }
@@ -144,12 +145,14 @@ class ReportReader {
       report_.failures.push_back(current_);
     }
   }
-  static std::string describe(const CommandResult& result) {
+  std::string describe(const CommandResult& result) const {
+    const std::string who = report_.total == 0 ? loadingCode : "your code";
+    const char* sentence = result.status.signalled ? signalSentence(result.status.code) : nullptr;
+    if (sentence != nullptr) return fmt::format("{} {}", who, sentence);
     if (result.status.signalled && result.status.code == SIGXCPU)
       return fmt::format("the tests took more than {} s of processor time", processorSeconds);
-    if (result.status.signalled)
-      return fmt::format("your code was ended by a signal: {}", strsignal(result.status.code));
-    return fmt::format("your code ended the program (exit code {}) instead of returning", result.status.code);
+    if (result.status.signalled) return fmt::format("{} was ended by a signal: {}", who, strsignal(result.status.code));
+    return fmt::format("{} {}", who, exitSentence(result.status.code));
   }
 
   static Outcome outcomeOf(const CommandResult& result) {

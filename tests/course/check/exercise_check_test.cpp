@@ -353,13 +353,13 @@ TEST_F(Check, AnEndlessLoopIsNamed) {
   EXPECT_EQ(firstMessage(
                 twice +
                 "double entry(const std::vector<double>&, int i) { volatile int n = i; while (n > 0) {} return n; }\n"),
-            "entry did not return within 2 s");
+            "entry " + limitSentence(std::chrono::seconds(2)));
 }
 
 TEST_F(Check, ABadPointerAnExceptionAndAnExitAreNamed) {
   const std::string head = "double entry(const std::vector<double>&, int) { ";
   EXPECT_EQ(firstMessage(twice + head + "volatile double* p = nullptr; return *p; }\n"),
-            "entry used memory that is not its own: an index or a pointer is wrong");
+            std::string("entry ") + badMemorySentence);
   EXPECT_EQ(firstMessage(twice + head + "throw 3; }\n"), "entry " + thrownSentence(""));
   EXPECT_EQ(
       firstMessage("namespace { struct Bad : std::exception { const char* what() const noexcept override { return "
@@ -368,7 +368,30 @@ TEST_F(Check, ABadPointerAnExceptionAndAnExitAreNamed) {
       "entry " + thrownSentence(""));
   EXPECT_EQ(firstMessage(twice + head + "throw std::runtime_error(\"not yet\"); }\n"),
             "entry threw an exception: not yet");
-  EXPECT_EQ(firstMessage(twice + head + "std::exit(0); }\n"), "entry called exit(): a function must return");
+  EXPECT_EQ(firstMessage(twice + head + "std::exit(3); }\n"), "entry " + exitSentence(3));
+  EXPECT_EQ(firstMessage(twice + head + "std::abort(); }\n"), std::string("entry ") + abortSentence);
+}
+
+TEST_F(Check, AnExceptionOutOfANoexceptFunctionIsNamed) {
+  const std::string promises =
+      "static void fails() { throw std::out_of_range(\"beyond\"); }\n"
+      "static void promises() noexcept { fails(); }\n";
+  EXPECT_EQ(
+      firstMessage(promises + twice + "double entry(const std::vector<double>&, int) { promises(); return 0; }\n"),
+      "entry " + uncaughtSentence("beyond"));
+}
+
+TEST_F(Check, WhatRunsWhenTheFileIsLoadedIsNamed) {
+  const auto crash = [this](const std::string& code) {
+    const TestReport report = run("static int early() { " + code + " }\nconst int loaded = early();\n" + twice + entry);
+    EXPECT_EQ(report.total, 0);
+    return report.crash;
+  };
+  const std::string subject = std::string(loadingCode) + " ";
+  EXPECT_EQ(crash("std::abort();"), subject + abortSentence);
+  EXPECT_EQ(crash("std::exit(0);"), subject + exitSentence(0));
+  EXPECT_EQ(crash("throw std::out_of_range(\"no\");"), subject + uncaughtSentence("no"));
+  EXPECT_EQ(crash("volatile int n = 1; while (n > 0) {} return n;"), subject + limitSentence(std::chrono::seconds(2)));
 }
 
 TEST_F(Check, AClassOfTheStudentsMayBeCalledAsAPublicTestIs) {
