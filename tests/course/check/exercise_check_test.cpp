@@ -155,6 +155,18 @@ TEST(ShowFailure, LeavesTheSourceOutOnlyUnderItsCall) {
   EXPECT_EQ(showFailure(failure), "    twice(x): got 3, expected 2 (difference 1, tolerance 0.5)\n");
 }
 
+TEST(CountTests, TellsWhatWasNotRun) {
+  TestReport report;
+  EXPECT_EQ(countTests(report), "no public test ran");
+  report.total = 9;
+  report.passed = 3;
+  EXPECT_EQ(countTests(report), "3 of 9 public tests pass");
+  report.notRun = 1;
+  EXPECT_EQ(countTests(report), "3 of 9 public tests pass; 1 was not run");
+  report.notRun = 4;
+  EXPECT_EQ(countTests(report), "3 of 9 public tests pass; 4 were not run");
+}
+
 TEST(ShowFailure, ShowsTwoLinesAtMost) {
   FailedTest failure;
   failure.mismatches.resize(1);
@@ -384,7 +396,7 @@ TEST_F(Check, AnExceptionOutOfANoexceptFunctionIsNamed) {
 TEST_F(Check, WhatRunsWhenTheFileIsLoadedIsNamed) {
   const auto crash = [this](const std::string& code) {
     const TestReport report = run("static int early() { " + code + " }\nconst int loaded = early();\n" + twice + entry);
-    EXPECT_EQ(report.total, 0);
+    EXPECT_EQ(countTests(report), "no public test ran");
     return report.crash;
   };
   const std::string subject = std::string(loadingCode) + " ";
@@ -392,6 +404,19 @@ TEST_F(Check, WhatRunsWhenTheFileIsLoadedIsNamed) {
   EXPECT_EQ(crash("std::exit(0);"), subject + exitSentence(0));
   EXPECT_EQ(crash("throw std::out_of_range(\"no\");"), subject + uncaughtSentence("no"));
   EXPECT_EQ(crash("volatile int n = 1; while (n > 0) {} return n;"), subject + limitSentence(std::chrono::seconds(2)));
+}
+
+TEST_F(Check, WhatFollowsACrashIsRunAllTheSame) {
+  const TestReport report = run("Vec3 twice(const Vec3&) { std::abort(); }\n" + entry);
+  EXPECT_EQ(countTests(report), "1 of 2 public tests pass");
+  ASSERT_EQ(report.failures.size(), 1U);
+  EXPECT_EQ(report.failures[0].name, "DoublesEveryComponent");
+  EXPECT_EQ(report.crash, std::string("twice ") + abortSentence);
+  EXPECT_FALSE(report.allPassed());
+  const TestReport both = run(
+      "Vec3 twice(const Vec3&) { std::abort(); }\ndouble entry(const std::vector<double>&, int) { std::abort(); }\n");
+  EXPECT_EQ(countTests(both), "0 of 2 public tests pass");
+  EXPECT_EQ(both.failures.size(), 2U);
 }
 
 TEST_F(Check, AClassOfTheStudentsMayBeCalledAsAPublicTestIs) {
@@ -445,6 +470,24 @@ TEST_F(Check, AnExpressionOfTemporariesThatAreGoneIsConfirmedAtItsLine) {
   ASSERT_FALSE(report.failures.empty());
   EXPECT_TRUE(report.failures[0].messages[0].starts_with("fixture_spring.cpp:5 uses a temporary"))
       << report.failures[0].messages[0];
+}
+
+/// All tests of the first build pass.
+TEST_F(Check, WhatOnlyTheSecondLookFindsFailsTheTestThatCallsIt) {
+  const std::string readsGone =
+      "static const double& first(const std::vector<double>& v) { return v[0]; }\n"
+      "Vec3 twice(const Vec3& x) {\n"
+      "  std::vector<double> v{1};\n  const double& r = first(v);\n  v.resize(1000);\n"
+      "  volatile double gone = r;\n  (void)gone;\n  return 2 * x;\n}\n";
+  const TestReport report = run(readsGone + entry);
+  EXPECT_EQ(report.outcome, Outcome::Crash);
+  EXPECT_EQ(countTests(report), "1 of 2 public tests pass");
+  ASSERT_EQ(report.failures.size(), 1U);
+  EXPECT_EQ(report.failures[0].suite + "." + report.failures[0].name, "Twice.DoublesEveryComponent");
+  EXPECT_EQ(report.failures[0].property, "every component is doubled");
+  EXPECT_EQ(report.failures[0].call, "twice(Vec3(1, 2, 3))");
+  EXPECT_TRUE(report.failures[0].messages.at(0).starts_with("fixture_spring.cpp:7 uses memory that was given back"))
+      << report.failures[0].messages.at(0);
 }
 
 TEST_F(Check, AMissingReturnIsConfirmedAtItsFunction) {
