@@ -4,6 +4,7 @@
 #include "base/text/printable.h"
 #include "course/check/compile_rules.h"
 #include "course/check/exercise_check.h"
+#include "course/check/fault_sentences.h"
 #include "course/check/handed_out.h"
 #include "course/manifest.h"
 #include "course/unfinished.h"
@@ -88,7 +89,7 @@ class Check {
     if (report.allPassed()) {
       fmt::print("{} {}: all {} public tests pass\n", green("✓"), bold(exercise_.topic), report.total);
     } else {
-      fmt::print("{} {}: {} of {} public tests pass\n", red("✗"), bold(exercise_.topic), report.passed, report.total);
+      fmt::print("{} {}: {}\n", red("✗"), bold(exercise_.topic), countTests(report));
     }
     if (!program.diagnostics.empty()) fmt::print("\n{}", program.diagnostics);
     if (!report.allPassed()) printFirst(report);
@@ -104,7 +105,8 @@ class Check {
     const FailedTest& first = report.failures.front();
     const auto criterion = std::ranges::find(exercise_.criteria, first.suite, &Criterion::suite);
     const bool isKnown = criterion != exercise_.criteria.end();
-    fmt::print("\n{} {}\n", bold("mend first:"), isKnown ? criterion->name : first.suite);
+    fmt::print("\n{} {}\n", bold("mend first:"),
+               isKnown ? criterion->name : (first.suite.empty() ? loadingCode : first.suite));
     const std::vector<Misconception> mistakes = mistakesIn(first, report);
     for (const Misconception& mistake : mistakes) fmt::print("  {}\n", mistake.says);
     fmt::print("{}", showFailure(first));

@@ -1,6 +1,8 @@
 #include "course/check/crash_report.h"
 
+#include "course/check/compile_rules.h"
 #include "course/check/fault_sentences.h"
+#include "course/check/thrown_sentence.h"
 #include "course/testing/call_record.h"
 
 #include <fcntl.h>
@@ -29,7 +31,8 @@ constexpr int asleepLimitSeconds = 10;
 constexpr double nothingSeconds = 0.001;  // of processor time in a second: what a look itself takes
 
 int report = STDERR_FILENO;
-long slowness = 1;  // times the limits of processor time
+long slowness = 1;      // times the limits of processor time
+bool isLoading = true;  // until main() begins
 char alternateStack[65536];
 std::uintptr_t stackTop = 0;
 std::uintptr_t stackLimit = 0;
@@ -52,8 +55,12 @@ class Line {
 };
 
 const char* runningFunction() {
-  return CallRecord::current() != nullptr ? CallRecord::current()->function() : "the program";
+  if (CallRecord::current() != nullptr) return CallRecord::current()->function();
+  return isLoading ? loadingCode : "the program";
 }
+
+/// Whether the code that runs is a student's.
+bool isStudents() { return isLoading || CallRecord::current() != nullptr; }
 
 /// Writes the report of a crash and ends the process.
 [[noreturn]] void sendAndEnd(const char* subject, const char* sentence, const char* outcome = "crash") {
@@ -81,20 +88,16 @@ const char* runningFunction() {
 }
 
 void onSignal(int signal, siginfo_t* info, void*) {
-  switch (signal) {
-    case SIGSEGV:
-    case SIGBUS:
-      sayAndEnd(isStackOverflow(info->si_addr, stackTop, stackLimit)
-                    ? stackOverflowSentence
-                    : "used memory that is not its own: an index or a pointer is wrong");
-    case SIGFPE:
-      sayAndEnd(info->si_code == FPE_INTDIV ? "divided an integer by zero" : trapSentence);
-    case SIGILL:
-    case SIGTRAP:
-      sayAndEnd("ran into nowhere: does every way through it return a value?");
-    default:
-      sayAndEnd("aborted");
-  }
+  const bool isSegment = signal == SIGSEGV || signal == SIGBUS;
+  if (isSegment && isStackOverflow(info->si_addr, stackTop, stackLimit)) sayAndEnd(stackOverflowSentence);
+  if (signal == SIGFPE && info->si_code != FPE_INTDIV) sayAndEnd(trapSentence);
+  sayAndEnd(signalSentence(signal));
+}
+
+/// Written before a signal handler asks for it.
+const char* callLimitSentence() {
+  static const std::string sentence = limitSentence(std::chrono::milliseconds(callLimitMilliseconds));
+  return sentence.c_str();
 }
 
 /// Counts how much processor time the innermost call has taken, and all calls.
@@ -103,10 +106,10 @@ void onTick(int) {
   static long lasted = 0;
   static long total = 0;
   total += tickMilliseconds;
-  const bool sameCall = CallRecord::current() != nullptr && CallRecord::count() == seenCount;
+  const bool sameCall = isStudents() && CallRecord::count() == seenCount;
   lasted = sameCall ? lasted + tickMilliseconds : 0;
   seenCount = CallRecord::count();
-  if (lasted >= slowness * callLimitMilliseconds) sayAndEnd("did not return within 2 s", "processor time");
+  if (lasted >= slowness * callLimitMilliseconds) sayAndEnd(callLimitSentence(), "processor time");
   if (total >= slowness * totalLimitMilliseconds) {
     sendAndEnd("", "all calls together took more than 10 s of processor time", "processor time");
   }
@@ -127,34 +130,39 @@ void onLook(int) {
   static double seenClock = 0;
   static int asleep = 0;
   const double now = threadSeconds();
-  const bool sameCall = CallRecord::current() != nullptr && CallRecord::count() == seenCount;
+  const bool sameCall = isStudents() && CallRecord::count() == seenCount;
   asleep = sameCall && now - seenClock < nothingSeconds ? asleep + 1 : 0;
   seenCount = CallRecord::count();
   seenClock = now;
-  if (asleep >= asleepLimitSeconds) sayAndEnd("waits without end for something that never comes");
+  if (asleep >= asleepLimitSeconds) sayAndEnd(waitsSentence);
 }
 
 void onTerminate() {
-  static char sentence[600] = "threw an exception that nobody caught";
-  if (const std::exception_ptr exception = std::current_exception()) {
-    try {
-      std::rethrow_exception(exception);
-    } catch (const EigenMisuse& error) {
-      sendAndEnd("", error.what());
-    } catch (const std::exception& error) {
-      if (error.what() == nullptr) sayAndEnd(sentence);
-      std::strncat(sentence, ": ", 3);
-      std::strncat(sentence, error.what(), 500);
-    } catch (...) {
-      std::strncat(sentence, " and that is no std::exception", 40);
-    }
+  const std::exception_ptr exception = std::current_exception();
+  if (!exception) sayAndEnd(abortSentence);
+  try {
+    std::rethrow_exception(exception);
+  } catch (const EigenMisuse& error) {
+    sendAndEnd("", error.what());
+  } catch (const std::exception& error) {
+    sayAndEnd(uncaughtSentence(textOf(error)).c_str());
+  } catch (...) {
+    sayAndEnd(uncaughtSentence("").c_str());
   }
-  sayAndEnd(sentence);
 }
 
-void onExit() {
-  if (CallRecord::current() != nullptr) sayAndEnd("called exit(): a function must return");
+#ifdef __GLIBC__
+void onExit(int code, void*) {
+  if (isStudents()) sayAndEnd(exitSentence(code).c_str());
 }
+void watchForExit() { on_exit(onExit, nullptr); }
+#else
+/// Other libraries do not tell the code; exit(0) is the one that is written.
+void onExit() {
+  if (isStudents()) sayAndEnd(exitSentence(0).c_str());
+}
+void watchForExit() { std::atexit(onExit); }
+#endif
 
 void handle(int signal, void (*handler)(int, siginfo_t*, void*)) {
   struct sigaction action {};
@@ -189,19 +197,24 @@ void writeReport(std::string_view text) {
   }
 }
 
-void watchForCrashes(unsigned factor) {
-  slowness = factor;
-  if (fcntl(reportDescriptor, F_GETFD) >= 0) {
-    report = reportDescriptor;
-    // gnuplot, which a demo starts, must not hold the report open.
-    fcntl(reportDescriptor, F_SETFD, FD_CLOEXEC);
-  }
+namespace {
+
+void findReport() {
+  if (fcntl(reportDescriptor, F_GETFD) < 0) return;
+  report = reportDescriptor;
+  // gnuplot, which a demo starts, must not hold the report open.
+  fcntl(reportDescriptor, F_SETFD, FD_CLOEXEC);
+}
+
+void measureStack() {
   rlimit limit{};
   constexpr std::uintptr_t usual = 8U << 20U;
   const bool known = getrlimit(RLIMIT_STACK, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
   stackLimit = known ? static_cast<std::uintptr_t>(limit.rlim_cur) : usual;
   stackTop = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
+}
 
+void installHandlers() {
   stack_t stack{};
   stack.ss_sp = alternateStack;
   stack.ss_size = sizeof alternateStack;
@@ -213,8 +226,32 @@ void watchForCrashes(unsigned factor) {
   CallRecord::count() = 0;
   CallRecord::current() = nullptr;
   CallRecord::printsArguments() = true;
-  std::atexit(onExit);
+  callLimitSentence();
+  watchForExit();
   startClocks();
+}
+
+/// "program tests slowly"
+long slownessOf(int argc, char** argv) {
+  return argc > 2 && std::string_view(argv[2]) == "slowly" ? long{sanitizedFactor} : 1;
+}
+
+/// Before the initialisers of the student's file, which run before main(); with main()'s arguments.
+__attribute__((constructor(101))) void watchLoading(int argc, char** argv) {
+  slowness = slownessOf(argc, argv);
+  findReport();
+  measureStack();
+  installHandlers();
+}
+
+}  // namespace
+
+void watchForCrashes(int argc, char** argv) {
+  slowness = slownessOf(argc, argv);
+  isLoading = false;
+  // Once more: the student's initialisers may have put it off.
+  measureStack();
+  installHandlers();
 }
 
 }  // namespace muelle

@@ -11,10 +11,12 @@ class EigenMisuse : public std::logic_error {
 };
 
 /// From now on a crash, an endless recursion, a call that takes more than 2 s of processor time (10 s all together;
-/// each `factor` times as much where sanitizers slow the program down), an exception that nobody catches and an early
-/// exit of this process write the lines "outcome<TAB>name" (outcome.h) and "crash<TAB>sentence" to the report and end
-/// the process. The sentence names the student's function that ran.
-void watchForCrashes(unsigned factor = 1);
+/// more where "slowly" among the arguments says that sanitizers slow the program down), an exception that nobody
+/// catches and an early exit of this process write the lines "outcome<TAB>name" (outcome.h) and "crash<TAB>sentence" to
+/// the report and end the process. The sentence names the student's function that ran. Before this call the same holds
+/// for the code that runs when the student's file is loaded.
+/// \param argc main()'s  \param argv main()'s
+void watchForCrashes(int argc, char** argv);
 
 /// Reports that the student's function that runs has done what `sentence` says, and ends the process.
 [[noreturn]] void endWithCrash(const char* sentence);

@@ -4,6 +4,7 @@
 #include "base/text/words.h"
 #include "course/check/explanations.h"
 #include "course/check/plain_types.h"
+#include "course/check/source_tokens.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -186,12 +187,15 @@ class Reader {
   }
 
   /// GCC speaks of the registers into which Eigen loads; what the student has written is seldom in its words.
-  static void explainInlined(Diagnostic& diagnostic) {
+  void explainInlined(Diagnostic& diagnostic) const {
     diagnostic.message = fmt::format(
         "this reads memory that was never written, or that belonged to a temporary value which is gone [{}]",
         diagnostic.option);
+    const bool hasAuto = isInFunctionOfLine(studentFile(diagnostic.file)->text, diagnostic.line, "auto");
     diagnostic.explanation =
-        "'auto' does not keep an Eigen expression's values: write the type (double, Vec3, VecX), and give it a value";
+        hasAuto ? "'auto' does not keep an Eigen expression's values: write the type (double, Vec3, VecX), and give it "
+                  "a value"
+                : "it is read before a value was given to it, or a temporary or local variable that is gone is used";
   }
 
   /// Notes that say where the other half of a contradiction stands.
@@ -199,13 +203,25 @@ class Reader {
     if (found_.empty()) return;
     Diagnostic& diagnostic = found_.back();
     if (contains(statement.message, "previously defined here") || contains(statement.message, "previous definition")) {
-      diagnostic.explanation += fmt::format(" (the first stands in line {})", statement.location.line);
+      explainFirst(statement.location, diagnostic);
     }
     if (contains(statement.message, "old declaration '") &&
         contains(diagnostic.message, "ambiguating new declaration")) {
       const std::string plain = withPlainTypes(statement.message);
       const std::size_t open = plain.find('\'') + 1;
       diagnostic.explanation += fmt::format(": {}", plain.substr(open, plain.rfind('\'') - open));
+    }
+  }
+
+  /// Where the first of two definitions stands: in the file, or in a header that the student has not written.
+  void explainFirst(const Location& first, Diagnostic& diagnostic) const {
+    if (studentFile(first.file) != nullptr) {
+      diagnostic.explanation += fmt::format(" (the first stands in line {})", first.line);
+    } else if (contains(diagnostic.message, "redefinition of")) {
+      const std::string_view name = first.file.substr(0, first.file.rfind('.'));
+      const bool isContract = studentFile(std::string(name) + ".cpp") != nullptr;
+      diagnostic.explanation = fmt::format("{}{} already defines it, in line {}: take yours out",
+                                           isContract ? "the contract " : "", first.file, first.line);
     }
   }
 

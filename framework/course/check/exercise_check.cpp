@@ -3,6 +3,7 @@
 #include "base/process/child.h"
 #include "base/text/printable.h"
 #include "course/check/compile_rules.h"
+#include "course/check/fault_sentences.h"
 #include "course/check/heap_damage.h"
 #include "course/check/report_line.h"
 #include "course/check/sanitizer_report.h"
@@ -25,6 +26,8 @@ constexpr unsigned processorSeconds = 15;
 
 constexpr std::size_t memory = 1UL << 30U;  ///< [bytes] as the grader's
 
+constexpr std::size_t outputLimit = 65536;  ///< [bytes] of what the student's code prints
+
 /// Whether AddressSanitizer is in the program, which reserves more address space than there is memory.
 enum class Instrumented { No, Yes };
 
@@ -37,7 +40,9 @@ CommandResult runStudentProgram(const std::vector<std::string>& command, Instrum
       "LC_ALL=C",
       // The allocator's own cache would hand memory out without filling it.
       "GLIBC_TUNABLES=glibc.malloc.tcache_count=0",
-      "ASAN_OPTIONS=detect_leaks=0:detect_stack_use_after_return=1:detect_container_overflow=0:handle_segv=0:"
+      // After a finding, abort(), of which the program tells with the call.
+      "ASAN_OPTIONS=abort_on_error=1:detect_leaks=0:detect_stack_use_after_return=1:detect_container_overflow=0:handle_"
+      "segv=0:"
       "handle_abort=0:handle_sigfpe=0:handle_sigill=0:handle_sigbus=0:"
       // Its own bounds of memory, in MiB: of one allocation, and (not on macOS) of all that is resident.
       "max_allocation_size_mb=1024:hard_rss_limit_mb=1024",
@@ -49,8 +54,7 @@ CommandResult runStudentProgram(const std::vector<std::string>& command, Instrum
   spec.limits.cpuSeconds = factor * processorSeconds;
   // An endless recursion must meet the end of the stack before the end of the memory.
   spec.limits.stack = (instrumented == Instrumented::Yes ? sanitizedStackFactor : 1) * (std::size_t{8} << 20U);
-  constexpr std::size_t bytes = 65536;
-  return runCommand(spec, {factor * std::chrono::seconds(wallSeconds), bytes, 0, 16 * bytes, true});
+  return runCommand(spec, {factor * std::chrono::seconds(wallSeconds), outputLimit, 0, 16 * outputLimit, true});
 }
 
 /// Of the plain build: Yes in a build folder that has sanitizers everywhere.
@@ -66,7 +70,7 @@ class ReportReader {
   explicit ReportReader(TestReport& report) : report_(report) {}
 
   void take(const std::string& kind, const std::string& text) {
-    if (kind == "tests") report_.total = std::atoi(text.c_str());
+    if (kind == "tests" && report_.total == 0) report_.total = std::atoi(text.c_str());  // the first process knows all
     if (kind == "test") begin(text);
     if (kind == "call" && current_.call.empty()) current_.call = text;
     if (kind == "mismatch") takeMismatch(text);
@@ -77,24 +81,45 @@ class ReportReader {
       hasOutcome_ = true;
     }
     if (kind == "factor") takeFactor(text);
-    if (kind == "crash") report_.crash = text;
+    if (kind == "crash") crash_ = text;
     if (kind == "end") end(text == "passed");
     if (kind == "done") done_ = true;
   }
 
-  /// A test that began and did not end is the one that crashed.
+  /// At the end of a process. A test that began and did not end is the one that crashed.
   void close(const CommandResult& result) {
-    if (!done_ && report_.crash.empty()) {
-      report_.crash = describe(result);
+    if (!done_ && crash_.empty()) {
+      crash_ = describe(result);
       current_.outcome = outcomeOf(result);
     }
     explainAbort(result.out);
     if (running_) {
-      current_.messages.push_back(report_.crash);
+      current_.messages.push_back(crash_);
       report_.failures.push_back(current_);
     } else if (!done_) {
       lastOutcome_ = current_.outcome;
     }
+    if (report_.crash.empty()) report_.crash = crash_;
+    report_.notRun = std::max(report_.total - static_cast<int>(begun_.size()), 0);
+    crash_.clear();
+    running_ = done_ = false;
+  }
+
+  /// Makes what a test of the second look has confirmed the first word about it. Of no test, when the student's file
+  /// is loaded: then about all.
+  void confirm(const FailedTest& found) {
+    if (found.name.empty()) {
+      report_.passed = 0;
+      report_.failures.insert(report_.failures.begin(), found);
+      return;
+    }
+    const std::size_t place = placeOf(found, begun_);
+    if (place == begun_.size()) return;  // it had no time to run; another has failed
+    const std::size_t failure = placeOf(found, report_.failures);
+    FailedTest& test = failure == report_.failures.size() ? fail(place) : report_.failures[failure];
+    if (test.call.empty()) test.call = found.call;
+    test.messages.insert(test.messages.begin(), found.messages.begin(), found.messages.end());
+    test.outcome = found.outcome;
   }
 
   /// Of the first failure that ended the calls, else of memory that was never written, else a wrong answer: as the
@@ -111,11 +136,24 @@ class ReportReader {
   }
 
  private:
-  /// "twice aborted": the C library may have said why.
+  /// "twice called abort()": the C library may have said why.
   void explainAbort(const std::string& output) {
-    constexpr std::string_view plain = "aborted";
-    const std::string damage = report_.crash.ends_with(plain) ? heapDamage(output) : "";
-    if (!damage.empty()) report_.crash.replace(report_.crash.size() - plain.size(), plain.size(), damage);
+    constexpr std::string_view plain = abortSentence;
+    const std::string damage = crash_.ends_with(plain) ? heapDamage(output) : "";
+    if (!damage.empty()) crash_.replace(crash_.size() - plain.size(), plain.size(), damage);
+  }
+
+  /// Beyond the end when it is not among them.
+  static std::size_t placeOf(const FailedTest& test, const std::vector<FailedTest>& among) {
+    const auto isIt = [&test](const FailedTest& t) { return t.suite == test.suite && t.name == test.name; };
+    return static_cast<std::size_t>(std::ranges::find_if(among, isIt) - among.begin());
+  }
+
+  /// A test that had passed, now among the failures in the order of the tests. \param place where it began
+  FailedTest& fail(std::size_t place) {
+    const auto isLater = [&](const FailedTest& test) { return placeOf(test, begun_) > place; };
+    --report_.passed;
+    return *report_.failures.insert(std::ranges::find_if(report_.failures, isLater), begun_[place]);
   }
 
   void takeMismatch(const std::string& text) {
@@ -134,22 +172,26 @@ class ReportReader {
     current_.suite = fullName.substr(0, dot);
     current_.name = fullName.substr(dot + 1);
     running_ = true;
+    begun_.push_back(current_);
   }
   void end(bool passed) {
     running_ = false;
     hasOutcome_ = false;
+    begun_.back().property = current_.property;
     if (passed) {
       ++report_.passed;
     } else {
       report_.failures.push_back(current_);
     }
   }
-  static std::string describe(const CommandResult& result) {
+  std::string describe(const CommandResult& result) const {
+    const std::string who = begun_.empty() ? loadingCode : "your code";
+    const char* sentence = result.status.signalled ? signalSentence(result.status.code) : nullptr;
+    if (sentence != nullptr) return fmt::format("{} {}", who, sentence);
     if (result.status.signalled && result.status.code == SIGXCPU)
       return fmt::format("the tests took more than {} s of processor time", processorSeconds);
-    if (result.status.signalled)
-      return fmt::format("your code was ended by a signal: {}", strsignal(result.status.code));
-    return fmt::format("your code ended the program (exit code {}) instead of returning", result.status.code);
+    if (result.status.signalled) return fmt::format("{} was ended by a signal: {}", who, strsignal(result.status.code));
+    return fmt::format("{} {}", who, exitSentence(result.status.code));
   }
 
   static Outcome outcomeOf(const CommandResult& result) {
@@ -160,31 +202,94 @@ class ReportReader {
 
   TestReport& report_;
   FailedTest current_;
+  std::vector<FailedTest> begun_;  ///< all tests that have, with their property when they have ended
+  std::string crash_;              ///< of this process
   bool running_ = false;
   bool done_ = false;
   bool hasOutcome_ = false;  ///< of the test that runs
   Outcome lastOutcome_ = Outcome::Crash;
 };
 
-/// What the sanitizers find in the second build. How it ends otherwise says nothing: everything is dearer there.
-SanitizerFinding secondLook(const StudentProgram& program) {
-  if (program.sanitized.empty()) return {};
-  const CommandResult result = runStudentProgram({program.sanitized.string(), "tests", "slowly"}, Instrumented::Yes);
-  return explainSanitizers(result.out, program.students);
+/// A process of the tests that has ended, and the lines of its report.
+struct TestProcess {
+  CommandResult result;
+  std::vector<std::pair<std::string, std::string>> lines;
+
+  /// "Suite.Name:Suite.Name"
+  std::string begun() const {
+    std::string names;
+    for (const auto& [kind, text] : lines) {
+      if (kind == "test") names += (names.empty() ? "" : ":") + text;
+    }
+    return names;
+  }
+  /// Whether it did not come to its end, and tests are left.
+  bool leavesTests() const {
+    long left = 0;
+    bool done = result.timedOut;
+    for (const auto& [kind, text] : lines) {
+      if (kind == "tests") left = std::atol(text.c_str());
+      if (kind == "test") --left;
+      if (kind == "done") done = true;
+    }
+    return !done && left > 0;
+  }
+};
+
+bool isMachines(const CommandResult& result) {
+  return result.timedOut || (result.status.signalled && result.status.code == SIGKILL);
 }
 
-/// Puts what the second look has confirmed before everything else.
-void addConfirmed(const SanitizerFinding& finding, TestReport& report) {
-  if (finding.sentence.empty()) return;
-  if (report.failures.empty()) {
-    FailedTest failure;
-    failure.name = "memory";
-    report.failures.push_back(failure);
-    report.passed = 0;
+/// Runs the tests, and hands each process that it takes to `take`: what follows a test that ended its process runs in
+/// the next, as long as they have not used up what all calls together may take.
+template <class Take>
+void runTests(const std::vector<std::string>& command, Instrumented instrumented, const Take& take) {
+  constexpr double enough = 10.0;  // [s] of processor time, as all calls together may take
+  constexpr auto enoughWall = std::chrono::seconds(20);
+  const auto start = std::chrono::steady_clock::now();
+  std::string begun;
+  double used = 0.0;
+  for (bool goesOn = true; goesOn;) {
+    std::vector<std::string> words = command;
+    if (!begun.empty()) words.push_back("--gtest_filter=-" + begun);
+    TestProcess process;
+    process.result = runStudentProgram(words, instrumented);
+    // From outside, perhaps, or stopped: once more.
+    if (isMachines(process.result)) process.result = runStudentProgram(words, instrumented);
+    process.lines = readReport(process.result.report);
+    take(process);
+    used += process.result.status.cpuSeconds;
+    const std::string more = process.begun();
+    begun += (begun.empty() ? "" : ":") + more;
+    const bool hasTime = used < enough && std::chrono::steady_clock::now() - start < enoughWall;
+    goesOn = hasTime && !more.empty() && process.leavesTests();
   }
-  FailedTest& first = report.failures.front();
-  first.messages.insert(first.messages.begin(), finding.sentence);
-  first.outcome = finding.outcome;
+}
+
+/// What the sanitizers have confirmed in one process: the test that ran, and its last call.
+FailedTest confirmedIn(const TestProcess& process, const std::vector<StudentFile>& students) {
+  FailedTest found;
+  for (const auto& [kind, text] : process.lines) {
+    if (kind == "test") {
+      found.suite = text.substr(0, text.find('.'));
+      found.name = text.substr(std::min(text.find('.') + 1, text.size()));
+      found.call.clear();
+    }
+    if (kind == "call") found.call = text;
+  }
+  const SanitizerFinding finding = explainSanitizers(process.result.out, students);
+  if (!finding.sentence.empty()) found.messages.push_back(finding.sentence);
+  found.outcome = finding.outcome;
+  return found;
+}
+
+/// Adds what the sanitizers find in the second build. How it ends otherwise says nothing: everything is dearer there.
+void lookAgain(const StudentProgram& program, ReportReader& reader) {
+  if (program.sanitized.empty()) return;
+  runTests({program.sanitized.string(), "tests", "slowly"}, Instrumented::Yes, [&](const TestProcess& process) {
+    const FailedTest found = confirmedIn(process, program.students);
+    if (!found.messages.empty()) reader.confirm(found);
+  });
 }
 
 }  // namespace
@@ -194,25 +299,20 @@ Outcome checkOutcome(const StudentProgram& program, const TestReport& report) {
 }
 
 TestReport runPublicTests(const StudentProgram& program) {
-  const std::vector<std::string> command{program.executable.string(), "tests"};
-  CommandResult result = runStudentProgram(command, isInstrumented);
-  // From outside, perhaps, or stopped: once more.
-  const auto isMachines = [](const CommandResult& r) {
-    return r.timedOut || (r.status.signalled && r.status.code == SIGKILL);
-  };
-  if (isMachines(result)) result = runStudentProgram(command, isInstrumented);
-  if (result.timedOut) {
-    throw std::runtime_error(
-        fmt::format("the tests did not end within {} s, nor took the processor time: the machine is too busy, or they "
-                    "wait for something; try again",
-                    wallSeconds));
-  }
   TestReport report;
   ReportReader reader(report);
-  for (const auto& [kind, text] : readReport(result.report)) reader.take(kind, text);
-  reader.close(result);
-  report.output = result.out;
-  addConfirmed(secondLook(program), report);
+  runTests({program.executable.string(), "tests"}, isInstrumented, [&](const TestProcess& process) {
+    if (process.result.timedOut) {
+      throw std::runtime_error(fmt::format(
+          "the tests did not end within {} s, nor took the processor time: the machine is too busy, or they "
+          "wait for something; try again",
+          wallSeconds));
+    }
+    for (const auto& [kind, text] : process.lines) reader.take(kind, text);
+    reader.close(process.result);
+    report.output += process.result.out.substr(0, outputLimit - std::min(outputLimit, report.output.size()));
+  });
+  lookAgain(program, reader);
   report.outcome = reader.outcome();
   return report;
 }
@@ -243,6 +343,13 @@ CurvesReport drawCurves(const StudentProgram& program, const std::filesystem::pa
   if (result.timedOut) curves.trouble = fmt::format("the demo did not end within {} s", wallSeconds);
   if (!done && curves.trouble.empty()) curves.trouble = "the demo ended early";
   return curves;
+}
+
+std::string countTests(const TestReport& report) {
+  if (report.total == 0) return "no public test ran";
+  const std::string left =
+      report.notRun == 0 ? "" : fmt::format("; {} {} not run", report.notRun, report.notRun == 1 ? "was" : "were");
+  return fmt::format("{} of {} public tests pass{}", report.passed, report.total, left);
 }
 
 std::string showFailure(const FailedTest& failure) {

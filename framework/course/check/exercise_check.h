@@ -30,9 +30,10 @@ struct CommonFinding {
 struct TestReport {
   int total = 0;
   int passed = 0;
+  int notRun = 0;                    ///< behind tests that ended the program, when time was up
   std::vector<FailedTest> failures;  ///< in the order of the tests
   std::vector<CommonFinding> findings;
-  std::string crash;   ///< why the program ended early; "" when it did not. The rest of the tests did not run
+  std::string crash;   ///< why the program first ended early; "" when it did not
   std::string output;  ///< what the student's code printed; untrusted text
   /// Of all tests together: a crash before memory never written before a wrong answer.
   Outcome outcome = Outcome::Wrong;
@@ -43,8 +44,9 @@ struct TestReport {
 /// The class to which a check belongs, as `grade` would sort it on the same inputs: that of the build when it failed.
 Outcome checkOutcome(const StudentProgram& program, const TestReport& report);
 
-/// Runs the public tests of a built program; and of its sanitised build, when there is one, of which only what it
-/// confirms counts. Throws std::runtime_error when the machine is too busy for a verdict.
+/// Runs the public tests of a built program, what follows a test that ends it in a process of its own; and of its
+/// sanitised build, when there is one, of which only what it confirms counts, in the tests that show it. Throws
+/// std::runtime_error when the machine is too busy for a verdict.
 TestReport runPublicTests(const StudentProgram& program);
 
 /// What the demo left.
@@ -59,6 +61,9 @@ std::vector<Misconception> namedMistakes(const TestReport& report, const Manifes
 
 /// Runs the demo of a built program and draws its curves into `folder`.
 CurvesReport drawCurves(const StudentProgram& program, const std::filesystem::path& folder);
+
+/// "4 of 9 public tests pass", and how many were not run.
+std::string countTests(const TestReport& report);
 
 /// What one case of a failed test looks like on a terminal: the property, the call to paste, got and expected.
 std::string showFailure(const FailedTest& failure);

@@ -1,13 +1,12 @@
 /// \file
 /// The program that the student's check runs: the public tests, or the demo, on the student's functions.
 ///
-///     program tests          runs the tests
+///     program tests          runs the tests; --gtest_filter=-SUITE.TEST:SUITE.TEST leaves some out
 ///     program tests slowly   the same, in the build with sanitizers (sanitizedFactor)
 ///     program demo FOLDER    draws the demo's figures into the folder
 ///
 /// What happens goes to descriptor 3 as report lines (report_line.h), whatever the student's code prints or breaks.
 
-#include "course/check/compile_rules.h"
 #include "course/check/crash_report.h"
 #include "course/check/eigen_message.h"
 #include "course/check/outcome.h"
@@ -173,8 +172,7 @@ int main(int argc, char** argv) {
   mallopt(M_PERTURB, 1);  // fresh memory is filled with 0xFE, as GCC fills local variables
 #endif
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // a crash must not swallow what was printed before it
-  const bool isSlow = argc == 3 && std::string(argv[1]) == "tests" && std::string(argv[2]) == "slowly";
-  muelle::watchForCrashes(isSlow ? muelle::sanitizedFactor : 1);
+  muelle::watchForCrashes(argc, argv);
   const bool drawsDemo = argc == 3 && std::string(argv[1]) == "demo";
   const int status = drawsDemo ? muelle::drawDemo(argv[2]) : muelle::runTests(argc, argv);
   muelle::ReportingListener::report("done", "");

@@ -2,6 +2,7 @@
 
 #include "course/check/fault_sentences.h"
 #include "course/check/second_look.h"
+#include "course/check/source_tokens.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -26,9 +27,7 @@ constexpr const char* tooMuch = "asks for more memory than there is";
 
 /// The first word that is found counts: a longer one stands before its end.
 constexpr auto kinds = std::to_array<Kind>({
-    {"stack-use-after-scope",
-     "uses a temporary or local variable that is gone ('auto' keeps no Eigen expression's "
-     "values: write Vec3 or VecX)"},
+    {"stack-use-after-scope", "uses a temporary or local variable that is gone"},
     {"stack-use-after-return", "uses a local variable of a function that has returned"},
     {"heap-use-after-free",
      "uses memory that was given back: a reference or iterator into a std::vector that has grown, or a value that is "
@@ -60,10 +59,18 @@ Kind kindOf(std::string_view finding) {
   return kind == kinds.end() ? Kind{"", "", Outcome::Passed} : *kind;
 }
 
-/// "spring_3d.cpp:26" where the text first mentions a line of a student's file; "" when it does not.
-std::string placeIn(std::string_view text, const std::vector<StudentFile>& files) {
+/// A line of a student's file.
+struct Place {
+  const StudentFile* file = nullptr;
+  int line = 0;
+
+  std::string text() const { return file == nullptr ? "" : fmt::format("{}:{}", file->name, line); }
+};
+
+/// Where the text first mentions a line of a student's file; no file when it does not.
+Place placeIn(std::string_view text, const std::vector<StudentFile>& files) {
   std::size_t first = std::string_view::npos;
-  std::string place;
+  Place place;
   for (const StudentFile& file : files) {
     const std::string key = file.name + ":";
     for (std::size_t at = text.find(key); at != std::string_view::npos && at < first; at = text.find(key, at + 1)) {
@@ -73,10 +80,17 @@ std::string placeIn(std::string_view text, const std::vector<StudentFile>& files
       const bool isWhole = at == 0 || text[at - 1] == '/' || text[at - 1] == ' ' || text[at - 1] == '\n';
       if (error != std::errc() || !isWhole) continue;
       first = at;
-      place = fmt::format("{}:{}", file.name, line);
+      place = {&file, line};
     }
   }
   return place;
+}
+
+/// The usual cause, where it may be the one.
+std::string_view aboutAuto(const Kind& kind, const Place& place) {
+  const bool isOfScope = kind.word == "stack-use-after-scope" && place.file != nullptr;
+  if (!isOfScope || !isInFunctionOfLine(place.file->text, place.line, "auto")) return "";
+  return " ('auto' keeps no Eigen expression's values: write Vec3 or VecX)";
 }
 
 /// The file that may have given its lines another file's name, by #line; "" when none may.
@@ -100,10 +114,10 @@ SanitizerFinding explainSanitizers(std::string_view output, const std::vector<St
   const std::string_view headline = output.substr(line, output.find('\n', start) - line);
   const Kind kind = kindOf(headline);
   if (kind.outcome == Outcome::Passed) return {};
-  std::string place = placeIn(report, files);
-  if (place.empty()) place = renamed(files);
-  if (place.empty()) return {};
-  return {fmt::format("{} {}", place, kind.sentence), kind.outcome};
+  const Place place = placeIn(report, files);
+  const std::string where = place.file == nullptr ? renamed(files) : place.text();
+  if (where.empty()) return {};
+  return {fmt::format("{} {}{}", where, kind.sentence, aboutAuto(kind, place)), kind.outcome};
 }
 
 }  // namespace muelle

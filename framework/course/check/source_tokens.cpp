@@ -66,7 +66,59 @@ class SourceScanner {
   std::vector<std::string_view> tokens_;
 };
 
+/// Goes through the tokens of a source, and keeps in mind the outermost braces that are no namespace's.
+class FunctionBodies {
+ public:
+  FunctionBodies(std::string_view source, int line) : source_(source), line_(line) {}
+
+  bool hold(std::string_view token) {
+    bool isInside = false;  // of this body
+    int start = 0;
+    for (const std::string_view word : sourceTokens(source_)) {
+      const int line = lineOf(word);
+      if (word == token && line == line_) return true;
+      if (word == token && depth_ > 0) isInside = true;
+      if (word == "{" && enter()) {
+        isInside = false;
+        start = line;
+      }
+      if (word == "}" && leave() && isInside && start <= line_ && line_ <= line) return true;
+      isNamespace_ = word == "namespace" || word == "extern" || (isNamespace_ && (isName(word) || word == ":"));
+    }
+    return false;
+  }
+
+ private:
+  static bool isName(std::string_view word) { return isNameCharacter(word.front()); }
+
+  /// The tokens come in their order.
+  int lineOf(std::string_view token) {
+    const auto offset = static_cast<std::size_t>(token.data() - source_.data());
+    reached_ += static_cast<int>(std::ranges::count(source_.substr(counted_, offset - counted_), '\n'));
+    counted_ = offset;
+    return reached_;
+  }
+  /// Whether a body begins.
+  bool enter() {
+    if (isNamespace_ && depth_ == 0) return false;
+    return ++depth_ == 1;
+  }
+  /// Whether a body ends.
+  bool leave() { return depth_ > 0 && --depth_ == 0; }
+
+  std::string_view source_;
+  int line_;
+  int reached_ = 1;
+  std::size_t counted_ = 0;
+  int depth_ = 0;
+  bool isNamespace_ = false;  ///< "namespace", "namespace a::b", "extern" before a brace
+};
+
 }  // namespace
+
+bool isInFunctionOfLine(std::string_view source, int line, std::string_view token) {
+  return FunctionBodies(source, line).hold(token);
+}
 
 std::string withoutSplices(std::string_view source) {
   std::string text;

@@ -12,4 +12,7 @@ std::string withoutSplices(std::string_view source);
 /// as that: it compiles nothing, and refuses nothing. \param source must outlive the tokens
 std::vector<std::string_view> sourceTokens(std::string_view source);
 
+/// Whether the token stands in the line, or in the body of the function that the line belongs to; lines count from 1.
+bool isInFunctionOfLine(std::string_view source, int line, std::string_view token);
+
 }  // namespace muelle

@@ -1,6 +1,7 @@
 #include "grader/remote/session.h"
 
 #include "course/check/eigen_message.h"
+#include "course/check/fault_sentences.h"
 #include "course/check/standard_message.h"
 #include "course/check/thrown_sentence.h"
 #include "course/testing/never_written.h"
@@ -111,17 +112,16 @@ void Session::noteFault(const SubmissionFault& fault, const std::string& functio
   isConfirmed_ = fault.isConfirmed();
   if (!worker_) return;
   worker_->end();  // it may still be running
-  if (fault_.ends_with(waitsWithoutEnd)) timedOutFunction_ = function;
+  if (fault_.ends_with(waitsSentence)) timedOutFunction_ = function;
   if (outcome_ != Outcome::Cpu) return;
   timedOutFunction_ = function;
   const bool callLimit = cpuUsed_ + setup_.limits.call <= setup_.limits.criterion;
   const auto seconds = [](std::chrono::milliseconds time) { return static_cast<double>(time.count()) / 1000.0; };
-  fault_ = callLimit
-               ? fmt::format("{} did not return within {} s of processor time", function, seconds(setup_.limits.call))
-               : fmt::format(
-                     "the calls of this criterion took more than {} s of processor time together; the "
-                     "last was {}",
-                     seconds(setup_.limits.criterion), function);
+  fault_ = callLimit ? fmt::format("{} {}", function, limitSentence(setup_.limits.call))
+                     : fmt::format(
+                           "the calls of this criterion took more than {} s of processor time together; the "
+                           "last was {}",
+                           seconds(setup_.limits.criterion), function);
 }
 
 void Session::startWorker() {
@@ -130,7 +130,7 @@ void Session::startWorker() {
     worker_ = std::make_unique<WorkerProcess>(*setup_.sandbox, WorkerHost{setup_.host, setup_.sanitised},
                                               setup_.submission, setup_.limits);
   } catch (const SubmissionFault& fault) {
-    const bool endless = fault.outcome() == Outcome::Cpu || std::string_view(fault.what()).ends_with(waitsWithoutEnd);
+    const bool endless = fault.outcome() == Outcome::Cpu || std::string_view(fault.what()).ends_with(waitsSentence);
     if (endless) timedOutFunction_ = loading;
     throw;
   }

@@ -5,6 +5,7 @@
 #include "course/check/sanitizer_report.h"
 #include "grader/remote/fault.h"
 #include "grader/remote/finding_text.h"
+#include "grader/worker/death.h"
 #include "grader/worker/sanitised.h"
 
 #include <fcntl.h>
@@ -19,7 +20,6 @@ namespace muelle::grader {
 namespace {
 
 constexpr std::size_t outputLimit = 64 * 1024;
-constexpr const char* loadingCode = "the code that runs when your file is loaded";
 constexpr auto betweenLooks = std::chrono::milliseconds(25);
 constexpr std::chrono::nanoseconds endless = std::chrono::nanoseconds::max();
 
@@ -42,22 +42,16 @@ SubmissionFault signalFault(const std::string& function, int signal, const std::
   const auto fault = [&function](const std::string& what, Outcome outcome) {
     return SubmissionFault(function + " " + what, outcome);
   };
+  if (signal == SIGABRT) {
+    if (const std::string damage = heapDamage(output); !damage.empty()) return fault(damage, Outcome::Crash);
+  }
+  if (const char* sentence = signalSentence(signal)) return fault(sentence, Outcome::Crash);
   switch (signal) {
-    case SIGSEGV:
-      return fault("crashed: it used memory that is not its own (segmentation fault)", Outcome::Crash);
-    case SIGFPE:
-      return fault("crashed: an integer division by zero (SIGFPE)", Outcome::Crash);
-    case SIGABRT:
-      if (const std::string damage = heapDamage(output); !damage.empty()) return fault(damage, Outcome::Crash);
-      return fault("called abort(): an assertion failed or memory was damaged or used up", Outcome::Crash);
     case SIGSYS:
       return fault("was stopped: it asked the operating system for something that an exercise has no need of",
                    Outcome::Forbidden);
     case SIGXCPU:
       return fault("used up its processor time", Outcome::Cpu);
-    case SIGBUS:
-    case SIGILL:
-    case SIGTRAP:
     case SIGXFSZ:
     case SIGPIPE:
       return fault(fmt::format("ended with signal {} ({})", signal, strsignal(signal)), Outcome::Crash);
@@ -86,10 +80,11 @@ SubmissionFault deathFault(const std::string& who, const std::string& cause) {
   };
   if (cause == "stack overflow") return fault(stackOverflowSentence, Outcome::Crash);
   if (cause == "floating-point trap") return fault(trapSentence, Outcome::Crash);
-  if (cause == "segmentation fault")
-    return fault("crashed: it used memory that is not its own (segmentation fault)", Outcome::Crash);
-  if (cause == "bus error") return fault("crashed (bus error)", Outcome::Crash);
-  if (cause == "arithmetic exception") return fault("crashed: an integer division by zero (SIGFPE)", Outcome::Crash);
+  if (cause == "segmentation fault" || cause == "bus error") return fault(badMemorySentence, Outcome::Crash);
+  if (cause == "arithmetic exception") return fault(divisionSentence, Outcome::Crash);
+  if (cause.starts_with(worker::uncaughtException)) {
+    return fault(uncaughtSentence(cause.substr(worker::uncaughtException.size())), Outcome::Crash);
+  }
   if (cause.starts_with(worker::sanitiserFinding)) {
     const std::string finding = cause.substr(std::string_view(worker::sanitiserFinding).size());
     const Outcome confirmed = confirmedOutcome(finding);
@@ -149,6 +144,16 @@ void WorkerProcess::expectConfined(const Patience& patience) {
   }
 }
 
+/// What comes when the code has run that runs at the load.
+wire::Frame WorkerProcess::loaded(std::chrono::milliseconds limit, const Patience& patience) {
+  try {
+    return receive(0, patience, loadingCode);
+  } catch (const SubmissionFault& error) {
+    if (error.outcome() != Outcome::Cpu) throw;
+    throw SubmissionFault(fmt::format("{} {}", loadingCode, limitSentence(limit)), Outcome::Cpu);
+  }
+}
+
 void WorkerProcess::load(const SessionLimits& limits) {
   expectConfined({endless, Clock::now() + limits.startWall, limits.startWall});
   watch_ = ProcessWatch(child_.pid());
@@ -156,7 +161,7 @@ void WorkerProcess::load(const SessionLimits& limits) {
   output_.clear();  // words of the sanitizer about its surroundings: nothing of the student's has run yet
   const Patience loading = patience(limits.load, limits.loadWall);
   expectConfined(loading);
-  const wire::Frame frame = receive(0, loading, loadingCode);
+  const wire::Frame frame = loaded(limits.load, loading);
   if (frame.header.kind == wire::FrameKind::Ready) return;
   if (frame.header.kind == wire::FrameKind::LoadError) {
     throw SubmissionFault("your file could not be loaded: " + textOf(frame), Outcome::Crash);
@@ -249,7 +254,7 @@ void WorkerProcess::look(const Patience& patience, const std::string& function) 
   watch_.observe();
   constexpr auto longestSleep = std::chrono::milliseconds(5000);
   if (watch_.sleptFor(std::min(longestSleep, patience.wallSpan / 2))) {
-    throw SubmissionFault(fmt::format("{} {}", function, waitsWithoutEnd), Outcome::Crash);
+    throw SubmissionFault(fmt::format("{} {}", function, waitsSentence), Outcome::Crash);
   }
   if (Clock::now() < patience.wall) return;
   throw SubmissionFault(fmt::format("{} did not return within {} on the clock", function, seconds(patience.wallSpan)),
@@ -282,8 +287,7 @@ void WorkerProcess::reportEnd(const std::string& function) {
   if (status->signalled) throw signalFault(function, status->code, output_);
   constexpr int everyBit = 255;  // exit(-1)
   if (status->code > 128 && status->code != everyBit) throw signalFault(function, status->code - 128, output_);
-  throw SubmissionFault(fmt::format("{} ended the program with exit({}) instead of returning", function, status->code),
-                        Outcome::Crash);
+  throw SubmissionFault(fmt::format("{} {}", function, exitSentence(status->code)), Outcome::Crash);
 }
 
 }  // namespace muelle::grader

@@ -19,9 +19,6 @@ namespace muelle::grader {
 /// forbidden system call. \param who the function that was called
 SubmissionFault deathFault(const std::string& who, const std::string& cause);
 
-/// How the message of a fault ends when code has put itself to sleep for ever.
-inline constexpr std::string_view waitsWithoutEnd = "waits without end for something that never comes";
-
 /// The program that loads a submission.
 struct WorkerHost {
   std::filesystem::path program;
@@ -95,6 +92,7 @@ class WorkerProcess {
   void drainOutput();
   void load(const SessionLimits& limits);
   void expectConfined(const Patience& patience);
+  wire::Frame loaded(std::chrono::milliseconds limit, const Patience& patience);
   [[noreturn]] void reportEnd(const std::string& function);
 
   Pipe request_;

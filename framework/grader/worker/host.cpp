@@ -19,6 +19,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 
@@ -26,7 +27,8 @@ namespace {
 
 using namespace muelle::grader;
 
-constexpr int failure = 3;  // exit status: the host's own trouble, told apart from the student's
+constexpr std::size_t longestText = 1000;  // of an exception's, as far as it is told
+constexpr int failure = 3;                 // exit status: the host's own trouble, told apart from the student's
 
 void writeAll(const void* data, std::size_t count) {
   const auto* bytes = static_cast<const char*>(data);
@@ -109,6 +111,22 @@ void onFault(int signal, siginfo_t* info, void* context) {
   die(signal == SIGSEGV ? "segmentation fault" : signal == SIGBUS ? "bus error" : "arithmetic exception");
 }
 
+/// As out of a noexcept function. Whatever goes wrong on the way calls it again.
+void onTerminate() {
+  static bool isSecond = false;
+  const std::exception_ptr exception = std::current_exception();
+  if (isSecond || !exception) std::abort();
+  isSecond = true;
+  std::string cause(worker::uncaughtException);
+  try {
+    std::rethrow_exception(exception);
+  } catch (const std::exception& error) {
+    if (const char* text = error.what(); text != nullptr) cause.append(text, strnlen(text, longestText));
+  } catch (...) {
+  }
+  die(cause.c_str());
+}
+
 void installHandlers() {
   constexpr std::size_t bytes = 64UL * 1024;
   static char stack[bytes];
@@ -120,6 +138,7 @@ void installHandlers() {
   action.sa_sigaction = onFault;
   action.sa_flags = static_cast<int>(SA_SIGINFO | SA_ONSTACK | SA_RESETHAND);
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGSYS}) sigaction(signal, &action, nullptr);
+  std::set_terminate(onTerminate);
 }
 
 /// The loader has mapped the submission; nothing of it has run.

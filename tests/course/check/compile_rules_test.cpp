@@ -42,6 +42,18 @@ TEST(SanitizerReport, NamesTheStudentsLine) {
             "triangle.cpp:9 ends without returning a value");
 }
 
+TEST(SanitizerReport, SpeaksOfAutoOnlyWhereItStands) {
+  const auto said = [](const std::string& source) {
+    return explainSanitizers("==7==ERROR: AddressSanitizer: stack-use-after-scope\n #0 f /a/triangle.cpp:2\n",
+                             {{"triangle.cpp", source}})
+        .sentence;
+  };
+  const std::string gone = "triangle.cpp:2 uses a temporary or local variable that is gone";
+  EXPECT_EQ(said("Vec3 f() { auto x = g() + g();\n return x; }\n"),
+            gone + " ('auto' keeps no Eigen expression's values: write Vec3 or VecX)");
+  EXPECT_EQ(said("auto y = 1;\nVec3 f() { return [&] { return g(); }(); }\n"), gone);
+}
+
 TEST(SanitizerReport, WhatStandsElsewhereIsNotTheStudents) {
   EXPECT_EQ(explainSanitizers("==7==ERROR: AddressSanitizer: heap-buffer-overflow\n #0 f /a/public_test.cpp:3\n",
                               {{"triangle.cpp", ""}})

@@ -102,6 +102,33 @@ TEST(Diagnostics, AnotherReturnTypeQuotesTheContract) {
   EXPECT_EQ(found[0].explanation, "the contract gives this function another return type: Vec3 f(const Vec3&)");
 }
 
+TEST(Diagnostics, WhatIsDefinedTwiceIsSaidToBeWhereTheFirstStands) {
+  const auto explained = [](const std::string& first) {
+    return parseDiagnostics("spring.cpp:3:8: error: redefinition of 'struct S'\n" + first +
+                                ":11:8: note: previous definition of 'struct S'\n",
+                            springFiles)
+        .at(0)
+        .explanation;
+  };
+  EXPECT_EQ(explained("spring.cpp"), "it is written twice in the file: keep one (the first stands in line 11)");
+  EXPECT_EQ(explained("/a/spring.h"), "the contract spring.h already defines it, in line 11: take yours out");
+  EXPECT_EQ(explained("/a/types.h"), "types.h already defines it, in line 11: take yours out");
+}
+
+TEST(Diagnostics, WarningsInsideEigenSpeakOfAutoOnlyWhereItStands) {
+  const auto explained = [](const std::string& source) {
+    return parseDiagnostics(
+               "In function 'f',\n    inlined from 'Vec3 f()' at spring.cpp:2:3:\n"
+               "/e/Core.h:7:9: warning: '*(double*)x' is used uninitialized [-Wuninitialized]\n",
+               {{"spring.cpp", source}})
+        .at(0)
+        .explanation;
+  };
+  EXPECT_TRUE(explained("Vec3 f() { auto x = g() + g();\n  return x; }\n").starts_with("'auto' does not keep"));
+  EXPECT_EQ(explained("Vec3 f() { Vec3 x;\n  return x + x; }\n"),
+            "it is read before a value was given to it, or a temporary or local variable that is gone is used");
+}
+
 TEST(Diagnostics, OneErrorALineAndWarningsOnlyWhenNothingIsWrong) {
   const std::string warning = "spring.cpp:3:12: warning: unused parameter 'a' [-Wunused-parameter]\n";
   const std::string errors = "spring.cpp:5:3: error: one\nspring.cpp:5:9: error: two\nspring.cpp:6:1: error: three\n";

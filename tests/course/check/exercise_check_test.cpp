@@ -155,6 +155,18 @@ TEST(ShowFailure, LeavesTheSourceOutOnlyUnderItsCall) {
   EXPECT_EQ(showFailure(failure), "    twice(x): got 3, expected 2 (difference 1, tolerance 0.5)\n");
 }
 
+TEST(CountTests, TellsWhatWasNotRun) {
+  TestReport report;
+  EXPECT_EQ(countTests(report), "no public test ran");
+  report.total = 9;
+  report.passed = 3;
+  EXPECT_EQ(countTests(report), "3 of 9 public tests pass");
+  report.notRun = 1;
+  EXPECT_EQ(countTests(report), "3 of 9 public tests pass; 1 was not run");
+  report.notRun = 4;
+  EXPECT_EQ(countTests(report), "3 of 9 public tests pass; 4 were not run");
+}
+
 TEST(ShowFailure, ShowsTwoLinesAtMost) {
   FailedTest failure;
   failure.mismatches.resize(1);
@@ -353,13 +365,13 @@ TEST_F(Check, AnEndlessLoopIsNamed) {
   EXPECT_EQ(firstMessage(
                 twice +
                 "double entry(const std::vector<double>&, int i) { volatile int n = i; while (n > 0) {} return n; }\n"),
-            "entry did not return within 2 s");
+            "entry " + limitSentence(std::chrono::seconds(2)));
 }
 
 TEST_F(Check, ABadPointerAnExceptionAndAnExitAreNamed) {
   const std::string head = "double entry(const std::vector<double>&, int) { ";
   EXPECT_EQ(firstMessage(twice + head + "volatile double* p = nullptr; return *p; }\n"),
-            "entry used memory that is not its own: an index or a pointer is wrong");
+            std::string("entry ") + badMemorySentence);
   EXPECT_EQ(firstMessage(twice + head + "throw 3; }\n"), "entry " + thrownSentence(""));
   EXPECT_EQ(
       firstMessage("namespace { struct Bad : std::exception { const char* what() const noexcept override { return "
@@ -368,7 +380,43 @@ TEST_F(Check, ABadPointerAnExceptionAndAnExitAreNamed) {
       "entry " + thrownSentence(""));
   EXPECT_EQ(firstMessage(twice + head + "throw std::runtime_error(\"not yet\"); }\n"),
             "entry threw an exception: not yet");
-  EXPECT_EQ(firstMessage(twice + head + "std::exit(0); }\n"), "entry called exit(): a function must return");
+  EXPECT_EQ(firstMessage(twice + head + "std::exit(3); }\n"), "entry " + exitSentence(3));
+  EXPECT_EQ(firstMessage(twice + head + "std::abort(); }\n"), std::string("entry ") + abortSentence);
+}
+
+TEST_F(Check, AnExceptionOutOfANoexceptFunctionIsNamed) {
+  const std::string promises =
+      "static void fails() { throw std::out_of_range(\"beyond\"); }\n"
+      "static void promises() noexcept { fails(); }\n";
+  EXPECT_EQ(
+      firstMessage(promises + twice + "double entry(const std::vector<double>&, int) { promises(); return 0; }\n"),
+      "entry " + uncaughtSentence("beyond"));
+}
+
+TEST_F(Check, WhatRunsWhenTheFileIsLoadedIsNamed) {
+  const auto crash = [this](const std::string& code) {
+    const TestReport report = run("static int early() { " + code + " }\nconst int loaded = early();\n" + twice + entry);
+    EXPECT_EQ(countTests(report), "no public test ran");
+    return report.crash;
+  };
+  const std::string subject = std::string(loadingCode) + " ";
+  EXPECT_EQ(crash("std::abort();"), subject + abortSentence);
+  EXPECT_EQ(crash("std::exit(0);"), subject + exitSentence(0));
+  EXPECT_EQ(crash("throw std::out_of_range(\"no\");"), subject + uncaughtSentence("no"));
+  EXPECT_EQ(crash("volatile int n = 1; while (n > 0) {} return n;"), subject + limitSentence(std::chrono::seconds(2)));
+}
+
+TEST_F(Check, WhatFollowsACrashIsRunAllTheSame) {
+  const TestReport report = run("Vec3 twice(const Vec3&) { std::abort(); }\n" + entry);
+  EXPECT_EQ(countTests(report), "1 of 2 public tests pass");
+  ASSERT_EQ(report.failures.size(), 1U);
+  EXPECT_EQ(report.failures[0].name, "DoublesEveryComponent");
+  EXPECT_EQ(report.crash, std::string("twice ") + abortSentence);
+  EXPECT_FALSE(report.allPassed());
+  const TestReport both = run(
+      "Vec3 twice(const Vec3&) { std::abort(); }\ndouble entry(const std::vector<double>&, int) { std::abort(); }\n");
+  EXPECT_EQ(countTests(both), "0 of 2 public tests pass");
+  EXPECT_EQ(both.failures.size(), 2U);
 }
 
 TEST_F(Check, AClassOfTheStudentsMayBeCalledAsAPublicTestIs) {
@@ -422,6 +470,24 @@ TEST_F(Check, AnExpressionOfTemporariesThatAreGoneIsConfirmedAtItsLine) {
   ASSERT_FALSE(report.failures.empty());
   EXPECT_TRUE(report.failures[0].messages[0].starts_with("fixture_spring.cpp:5 uses a temporary"))
       << report.failures[0].messages[0];
+}
+
+/// All tests of the first build pass.
+TEST_F(Check, WhatOnlyTheSecondLookFindsFailsTheTestThatCallsIt) {
+  const std::string readsGone =
+      "static const double& first(const std::vector<double>& v) { return v[0]; }\n"
+      "Vec3 twice(const Vec3& x) {\n"
+      "  std::vector<double> v{1};\n  const double& r = first(v);\n  v.resize(1000);\n"
+      "  volatile double gone = r;\n  (void)gone;\n  return 2 * x;\n}\n";
+  const TestReport report = run(readsGone + entry);
+  EXPECT_EQ(report.outcome, Outcome::Crash);
+  EXPECT_EQ(countTests(report), "1 of 2 public tests pass");
+  ASSERT_EQ(report.failures.size(), 1U);
+  EXPECT_EQ(report.failures[0].suite + "." + report.failures[0].name, "Twice.DoublesEveryComponent");
+  EXPECT_EQ(report.failures[0].property, "every component is doubled");
+  EXPECT_EQ(report.failures[0].call, "twice(Vec3(1, 2, 3))");
+  EXPECT_TRUE(report.failures[0].messages.at(0).starts_with("fixture_spring.cpp:7 uses memory that was given back"))
+      << report.failures[0].messages.at(0);
 }
 
 TEST_F(Check, AMissingReturnIsConfirmedAtItsFunction) {

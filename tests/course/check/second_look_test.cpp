@@ -28,6 +28,18 @@ TEST(SourceTokens, CommentsTextsAndSplicesAreNone) {
   EXPECT_TRUE(sourceTokens("/* open").empty());
 }
 
+TEST(SourceTokens, AreFoundInTheFunctionOfALine) {
+  const std::string source =
+      "auto one();\n"                                                 // 1
+      "namespace a::b {\nVec3 f() {\n  auto x = one();\n"             // 2 to 4
+      "  if (x) {\n    g(x);\n  }\n  return x;\n}\n"                  // to 9
+      "Vec3 h() {\n  // auto\n  return { 1 };\n}\n}  // namespace\n"  // to 14
+      "Vec3 k() { return 1; } Vec3 l() { auto y = 1; return y; }\n";  // 15
+  const auto has = [&source](int line) { return isInFunctionOfLine(source, line, "auto"); };
+  for (const int line : {1, 3, 4, 6, 8, 15}) EXPECT_TRUE(has(line)) << line;
+  for (const int line : {2, 10, 11, 12, 13, 14, 16}) EXPECT_FALSE(has(line)) << line;
+}
+
 TEST(SecondLook, IsStartedByAWarningInTheStudentsLine) {
   EXPECT_TRUE(asksFor("", "spring_3d.cpp:3:4: warning: 'x' is used uninitialized [-Wuninitialized]\n"));
   EXPECT_FALSE(asksFor("", "spring_3d.cpp:3:4: warning: unused variable 'x' [-Wunused-variable]\n"));

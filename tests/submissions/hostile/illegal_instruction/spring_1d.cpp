@@ -1,4 +1,4 @@
-// attack: runs an illegal instruction; expect: zero points; says: signal 4
+// attack: runs an illegal instruction; expect: zero points; says: ran into nowhere
 #include "spring_1d.h"
 
 namespace {

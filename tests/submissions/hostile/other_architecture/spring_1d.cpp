@@ -1,4 +1,4 @@
-// attack: forks through the 32-bit door of the kernel; expect: zero points; says: asked the operating system|crashed
+// attack: forks through the 32-bit door of the kernel; expect: zero points; says: asked the operating system|memory that is not its own
 #include "spring_1d.h"
 
 namespace {
