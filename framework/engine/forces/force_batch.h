@@ -46,6 +46,8 @@ class ForceBatch {
 
   /// Columns of the low-rank part, for the unknowns alone, and their stiffness.
   virtual int lowRankColumns() const { return 0; }
+  // By value: a Ref to write to, as Eigen has it.
+  // NOLINTNEXTLINE(performance-unnecessary-value-param)
   virtual void writeLowRank(double /*cK*/, Eigen::Ref<Eigen::MatrixXd> /*U*/, Eigen::Ref<Eigen::VectorXd> /*s*/) const {
   }
 

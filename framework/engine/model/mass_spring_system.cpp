@@ -9,6 +9,15 @@
 
 namespace muelle::engine {
 
+namespace {
+
+/// Where a node's component stands in an array over all unknowns.
+std::size_t place(int dimension, int node, int component) {
+  return static_cast<std::size_t>(dimension) * static_cast<std::size_t>(node) + static_cast<std::size_t>(component);
+}
+
+}  // namespace
+
 MassSpringSystem::MassSpringSystem(Model model, Numbering numbering, std::vector<std::unique_ptr<ForceBatch>> batches,
                                    std::unique_ptr<NodeDrag> drag)
     : model_(std::move(model)),
@@ -33,7 +42,7 @@ MassSpringSystem::MassSpringSystem(Model model, Numbering numbering, std::vector
     for (int i = numbering_.freeNodes; i < static_cast<int>(model_.nodes.size()); ++i) {
       const ModelNode& node = model_.nodes[static_cast<std::size_t>(numbering_.user[static_cast<std::size_t>(i)])];
       for (int c = 0; c < dimension_; ++c) {
-        arrays->x[static_cast<std::size_t>(dimension_ * i + c)] = node.x[numbering_.axes[static_cast<std::size_t>(c)]];
+        arrays->x[place(dimension_, i, c)] = node.x[numbering_.axes[static_cast<std::size_t>(c)]];
       }
     }
   }
@@ -72,8 +81,8 @@ void MassSpringSystem::setFixed(double t, In z, Arrays& arrays) const {
     const Vec3 x = motion.position(t, stretch), v = motion.velocity(t, stretch);
     for (int c = 0; c < dimension_; ++c) {
       const int axis = numbering_.axes[static_cast<std::size_t>(c)];
-      arrays.x[static_cast<std::size_t>(dimension_ * i + c)] = x[axis];
-      arrays.v[static_cast<std::size_t>(dimension_ * i + c)] = v[axis];
+      arrays.x[place(dimension_, i, c)] = x[axis];
+      arrays.v[place(dimension_, i, c)] = v[axis];
     }
   }
 }
@@ -186,7 +195,7 @@ void MassSpringSystem::assemble(double cM, double cD, double cK, double t, In x,
     for (int node = 0; node < numbering_.freeNodes; ++node) {
       const BlockSlot slot = pattern_->slot(node, node);
       for (int axis = 0; axis < dimension_; ++axis) {
-        values[slot.base + axis * slot.stride + axis] += cM * mass_[static_cast<std::size_t>(dimension_ * node + axis)];
+        values[slot.base + axis * slot.stride + axis] += cM * mass_[place(dimension_, node, axis)];
       }
     }
   }
@@ -356,7 +365,7 @@ Vec3 MassSpringSystem::component(const State& state, int node, bool velocity) co
   }
   const std::vector<double>& values = velocity ? state.v : state.x;
   for (int c = 0; c < dimension_; ++c) {
-    result[numbering_.axes[static_cast<std::size_t>(c)]] = values[static_cast<std::size_t>(dimension_ * built + c)];
+    result[numbering_.axes[static_cast<std::size_t>(c)]] = values[place(dimension_, built, c)];
   }
   return result;
 }

@@ -39,9 +39,15 @@ std::string parentOf(const RelativePath& path) { return path.size() > 1 ? path[p
 /// Sources that every exercise hands out; nobody's answer.
 bool isHandedOutSource(const std::string& name) { return name == "demo.cpp" || name == "public_test.cpp"; }
 
+/// With one kind of line end.
+std::string withoutReturns(std::string text) {
+  std::erase(text, '\r');
+  return text;
+}
+
 /// Without what an editor or a system changes of itself.
 std::string asWritten(std::string text) {
-  std::erase(text, '\r');
+  text = withoutReturns(std::move(text));
   text.erase(text.find_last_not_of(" \t\n") + 1);
   return text;
 }
@@ -228,7 +234,7 @@ void Collector::addToOthers(Slot& slot, Candidate found) {
     slot.fault = fmt::format("{} {}", show(found.path), found.content.fault);
   if (!slot.best) {
     slot.best = std::move(found);
-  } else if (asWritten(found.content.bytes) == asWritten(slot.best->content.bytes) &&
+  } else if (withoutReturns(found.content.bytes) == withoutReturns(slot.best->content.bytes) &&
              found.content.refusal == slot.best->content.refusal) {
     if (!slot.other && found.rank < slot.best->rank) slot.best = std::move(found);
   } else if (!slot.other) {
