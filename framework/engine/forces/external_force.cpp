@@ -10,10 +10,7 @@ template <int D>
 void ExternalForce<D>::addForce(const Configuration& at, double* f) const {
   const double* own = at.z + zOffset_;
   for (const Item& item : items_) {
-    int segment = 0;
-    if (!item.times.empty()) {
-      segment = segmentOf(*own++, item.times, at.t);
-    }
+    const int segment = item.times.empty() ? 0 : segmentOf(*own++, item.times, at.t);
     const Vector F = item.force(at.t, segment);
     for (const int node : item.nodes) Eigen::Map<Vector>(f + D * node) += F;
   }

@@ -24,6 +24,7 @@ MassSpringSystem::MassSpringSystem(Model model, Numbering numbering, std::vector
       numbering_(std::move(numbering)),
       dimension_(static_cast<int>(numbering_.axes.size())),
       size_(dimension_ * numbering_.freeNodes),
+      motionSegments_(model_.motions),
       hasFixed_(numbering_.freeNodes < static_cast<int>(model_.nodes.size())),
       batches_(std::move(batches)),
       drag_(std::move(drag)) {
@@ -60,16 +61,9 @@ MassSpringSystem::MassSpringSystem(Model model, Numbering numbering, std::vector
     constraintStart_.push_back(constraintStart_.back() + batch->constraintCount());
     batch->declaredTimes(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), times);
   }
-  motionOffset_ = internalSize_;
-  for (const Motion& motion : model_.motions) motionsChange_ = motionsChange_ || !motion.times.empty();
-  if (motionsChange_) internalSize_ += static_cast<int>(model_.motions.size());
+  motionSegments_.setInternalOffset(internalSize_);
+  internalSize_ += motionSegments_.internalSize();
   switches_ = internalSize_ > 0 || guardCount_ > 0 || !times.empty();
-}
-
-/// The stretch of a motion at time t; `z` may be empty: then the time alone tells.
-int MassSpringSystem::segment(std::size_t motion, double t, In z) const {
-  const double own = z.empty() || !motionsChange_ ? 0.0 : z[static_cast<std::size_t>(motionOffset_) + motion];
-  return segmentOf(own, model_.motions[motion].times, t);
 }
 
 void MassSpringSystem::setFixed(double t, In z, Arrays& arrays) const {
@@ -77,8 +71,8 @@ void MassSpringSystem::setFixed(double t, In z, Arrays& arrays) const {
     const ModelNode& node = model_.nodes[static_cast<std::size_t>(numbering_.user[static_cast<std::size_t>(i)])];
     const auto index = static_cast<std::size_t>(node.motion);
     const Motion& motion = model_.motions[index];
-    const int stretch = segment(index, t, z);
-    const Vec3 x = motion.position(t, stretch), v = motion.velocity(t, stretch);
+    const int segment = motionSegments_.at(index, t, z);
+    const Vec3 x = motion.position(t, segment), v = motion.velocity(t, segment);
     for (int c = 0; c < dimension_; ++c) {
       const int axis = numbering_.axes[static_cast<std::size_t>(c)];
       arrays.x[place(dimension_, i, c)] = x[axis];
@@ -268,19 +262,10 @@ std::string MassSpringSystem::guardName(int i) const {
 void MassSpringSystem::declaredTimes(double from, double to, std::vector<double>& times) const {
   std::vector<double> own;
   for (const auto& batch : batches_) batch->declaredTimes(from, to, own);
-  for (const Motion& motion : model_.motions) appendTimes(motion.times, from, to, own);
+  motionSegments_.declaredTimes(from, to, own);
   std::sort(own.begin(), own.end());
   own.erase(std::unique(own.begin(), own.end()), own.end());
   times.insert(times.end(), own.begin(), own.end());
-}
-
-bool MassSpringSystem::commitMotions(State& state, bool frozen) const {
-  bool changed = false;
-  for (std::size_t i = 0; motionsChange_ && i < model_.motions.size(); ++i) {
-    double& own = state.z[static_cast<std::size_t>(motionOffset_) + i];
-    changed = commitSegment(own, model_.motions[i].times, state.t, frozen) || changed;
-  }
-  return changed;
 }
 
 bool MassSpringSystem::commit(State& state, bool frozen) const {
@@ -289,7 +274,7 @@ bool MassSpringSystem::commit(State& state, bool frozen) const {
     state.z.assign(static_cast<std::size_t>(internalSize_), 0.0);
     changed = true;
   }
-  changed = commitMotions(state, frozen) || changed;
+  changed = motionSegments_.commit(state.t, frozen, state.z.data()) || changed;
   const Configuration at = gather(state.t, state.x, state.v, state.z, first_);
   bool balance = false;
   for (const auto& batch : batches_) {
@@ -357,8 +342,8 @@ Vec3 MassSpringSystem::component(const State& state, int node, bool velocity) co
     if (fixed.motion >= 0) {
       const auto index = static_cast<std::size_t>(fixed.motion);
       const Motion& motion = model_.motions[index];
-      const int stretch = segment(index, state.t, state.z);
-      full = velocity ? motion.velocity(state.t, stretch) : motion.position(state.t, stretch);
+      const int segment = motionSegments_.at(index, state.t, state.z);
+      full = velocity ? motion.velocity(state.t, segment) : motion.position(state.t, segment);
     }
     for (const int axis : numbering_.axes) result[axis] = full[axis];
     return result;

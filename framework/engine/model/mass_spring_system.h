@@ -2,6 +2,7 @@
 #include "engine/forces/force_batch.h"
 #include "engine/forces/node_drag.h"
 #include "engine/model/model_system.h"
+#include "engine/model/motion_segments.h"
 
 #include <memory>
 #include <optional>
@@ -89,8 +90,6 @@ class MassSpringSystem final : public ModelSystem,
   };
   Configuration gather(double t, In x, In v, In z, Arrays& arrays) const;
   void setFixed(double t, In z, Arrays& arrays) const;
-  int segment(std::size_t motion, double t, In z) const;
-  bool commitMotions(State& state, bool frozen) const;
   double* start(Out f) const;
   void finish(Out f) const;
   void bind() const;
@@ -102,10 +101,9 @@ class MassSpringSystem final : public ModelSystem,
   int dimension_;
   int size_;
   int internalSize_ = 0;
-  bool motionsChange_ = false;  ///< some motion has declared times
-  int motionOffset_ = 0;        ///< of the internal variables of the motions then, one each
   int guardCount_ = 0;
   bool switches_ = false;
+  MotionSegments motionSegments_;
   bool hasFixed_;
   std::vector<double> mass_;
   std::vector<double> zeroVelocity_;

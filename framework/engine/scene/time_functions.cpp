@@ -21,8 +21,9 @@ struct Stretch {
   }
   int segment() const { return from > 0.0 ? 1 : 0; }
   std::vector<double> periods(double frequency) const {
+    if (frequency == 0.0) return {};
     std::vector<double> periods(times().size() + 1, std::numeric_limits<double>::infinity());
-    if (frequency > 0.0) periods[static_cast<std::size_t>(segment())] = 1.0 / frequency;
+    periods[static_cast<std::size_t>(segment())] = 1.0 / frequency;
     return periods;
   }
 };
