@@ -45,6 +45,9 @@ std::string withoutReturns(std::string text) {
   return text;
 }
 
+/// Whether they differ in line ends at most; of many copies most are equal as they are.
+bool isSameText(const std::string& a, const std::string& b) { return a == b || withoutReturns(a) == withoutReturns(b); }
+
 /// Without what an editor or a system changes of itself.
 std::string asWritten(std::string text) {
   text = withoutReturns(std::move(text));
@@ -232,12 +235,13 @@ void Collector::addToOthers(Slot& slot, Candidate found) {
   ++slot.places;
   if (slot.fault.empty() && !found.content.fault.empty())
     slot.fault = fmt::format("{} {}", show(found.path), found.content.fault);
+  if (slot.other) return;  // two differ already
   if (!slot.best) {
     slot.best = std::move(found);
-  } else if (withoutReturns(found.content.bytes) == withoutReturns(slot.best->content.bytes) &&
+  } else if (isSameText(found.content.bytes, slot.best->content.bytes) &&
              found.content.refusal == slot.best->content.refusal) {
-    if (!slot.other && found.rank < slot.best->rank) slot.best = std::move(found);
-  } else if (!slot.other) {
+    if (found.rank < slot.best->rank) slot.best = std::move(found);
+  } else {
     found.content.bytes.clear();
     slot.other = std::move(found);
   }

@@ -5,6 +5,7 @@
 #include "course/check/symbols.h"
 #include "grader/run/compile.h"
 #include "grader/run/digest.h"
+#include "grader/run/store.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -77,9 +78,7 @@ std::string keptSeed(const Workplace& workplace) {
     if (!fs::exists(file)) makeSeed(file);
     return readFile(file);
   } catch (const std::system_error& error) {
-    throw MachineFault(
-        fmt::format("cannot keep the seed of the inputs in {}: {}; mend that folder, or name another with MUELLE_KEPT",
-                    workplace.kept.string(), error.code().message()));
+    throw MachineFault(cannotKeep("the seed of the inputs", workplace.kept, error.code()));
   }
 }
 

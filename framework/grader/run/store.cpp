@@ -34,6 +34,11 @@ std::vector<Kept> keptBelow(const fs::path& folder) {
 
 }  // namespace
 
+std::string cannotKeep(std::string_view what, const fs::path& folder, const std::error_code& error) {
+  return fmt::format("cannot keep {} in {}: {}; mend that folder, or name another with MUELLE_KEPT", what,
+                     folder.string(), error.message());
+}
+
 fs::path Store::file(std::string_view key, std::string_view suffix) const {
   // Two letters of the key as a folder: no folder gets a hundred thousand names.
   return folder_ / key.substr(0, 2) / (std::string(key) + std::string(suffix));
@@ -56,10 +61,7 @@ void Store::write(std::string_view key, std::string_view suffix, std::string_vie
   const fs::path path = file(key, suffix);
   std::error_code error;
   fs::create_directories(path.parent_path(), error);
-  if (error)
-    throw std::runtime_error(
-        fmt::format("cannot keep results in {}: {}; mend that folder, or name another with MUELLE_KEPT",
-                    folder_.string(), error.message()));
+  if (error) throw std::runtime_error(cannotKeep("results", folder_, error));
   writeFile(path, content);
 }
 

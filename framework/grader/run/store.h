@@ -4,8 +4,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace muelle::grader {
+
+/// "cannot keep results in FOLDER: Permission denied; mend that folder, or name another with MUELLE_KEPT"
+std::string cannotKeep(std::string_view what, const std::filesystem::path& folder, const std::error_code& error);
 
 /// What the grader keeps between runs, in files named by the key of everything that decided their content: compiled
 /// hand-ins, records, curves. Several processes may use it at once: a file appears whole or not at all, and whoever
