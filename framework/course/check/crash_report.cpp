@@ -246,8 +246,7 @@ __attribute__((constructor(101))) void watchLoading(int argc, char** argv) {
 
 }  // namespace
 
-void watchForCrashes(int argc, char** argv) {
-  slowness = slownessOf(argc, argv);
+void watchForCrashes() {
   isLoading = false;
   // Once more: the student's initialisers may have put it off.
   measureStack();

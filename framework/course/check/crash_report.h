@@ -15,8 +15,7 @@ class EigenMisuse : public std::logic_error {
 /// catches and an early exit of this process write the lines "outcome<TAB>name" (outcome.h) and "crash<TAB>sentence" to
 /// the report and end the process. The sentence names the student's function that ran. Before this call the same holds
 /// for the code that runs when the student's file is loaded.
-/// \param argc main()'s  \param argv main()'s
-void watchForCrashes(int argc, char** argv);
+void watchForCrashes();
 
 /// Reports that the student's function that runs has done what `sentence` says, and ends the process.
 [[noreturn]] void endWithCrash(const char* sentence);

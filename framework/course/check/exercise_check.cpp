@@ -64,6 +64,15 @@ constexpr Instrumented isInstrumented = Instrumented::Yes;
 constexpr Instrumented isInstrumented = Instrumented::No;
 #endif
 
+/// A test, before anything is known of it, from its "Suite.Name".
+FailedTest testNamed(const std::string& fullName) {
+  const std::size_t dot = fullName.find('.');
+  FailedTest test;
+  test.suite = fullName.substr(0, dot);
+  test.name = fullName.substr(dot + 1);
+  return test;
+}
+
 /// Builds the report from what the program wrote.
 class ReportReader {
  public:
@@ -166,11 +175,8 @@ class ReportReader {
     if (factor && blank < text.size()) report_.findings.push_back({text.substr(blank + 1), *factor});
   }
   void begin(const std::string& fullName) {
-    const std::size_t dot = fullName.find('.');
-    current_ = FailedTest{};
+    current_ = testNamed(fullName);
     hasOutcome_ = false;
-    current_.suite = fullName.substr(0, dot);
-    current_.name = fullName.substr(dot + 1);
     running_ = true;
     begun_.push_back(current_);
   }
@@ -270,11 +276,7 @@ void runTests(const std::vector<std::string>& command, Instrumented instrumented
 FailedTest confirmedIn(const TestProcess& process, const std::vector<StudentFile>& students) {
   FailedTest found;
   for (const auto& [kind, text] : process.lines) {
-    if (kind == "test") {
-      found.suite = text.substr(0, text.find('.'));
-      found.name = text.substr(std::min(text.find('.') + 1, text.size()));
-      found.call.clear();
-    }
+    if (kind == "test") found = testNamed(text);
     if (kind == "call") found.call = text;
   }
   const SanitizerFinding finding = explainSanitizers(process.result.out, students);

@@ -172,7 +172,7 @@ int main(int argc, char** argv) {
   mallopt(M_PERTURB, 1);  // fresh memory is filled with 0xFE, as GCC fills local variables
 #endif
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // a crash must not swallow what was printed before it
-  muelle::watchForCrashes(argc, argv);
+  muelle::watchForCrashes();
   const bool drawsDemo = argc == 3 && std::string(argv[1]) == "demo";
   const int status = drawsDemo ? muelle::drawDemo(argv[2]) : muelle::runTests(argc, argv);
   muelle::ReportingListener::report("done", "");
