@@ -70,11 +70,10 @@ void writeResults(const Command& command, const Scene& scene, const SceneRun& ru
   }
 }
 
-int run(Command& command) {
+int run(const Command& command) {
   if (command.list) return listScenesWithTitles();
   if (command.methods) return listMethods();
   if (command.scene.empty()) throw std::invalid_argument("SCENE is missing; ./muelle run --list names them");
-  if (!command.events.empty()) command.overrides.events = command.events == "on";
   const Scene scene = applied(readScene(findScene(command.scene, sceneFolder())), command.overrides);
   SceneRun result = runScene(scene, scene.name);
   if (!command.noErrorEstimate && !result.result.failed()) {
@@ -119,7 +118,10 @@ int parseAndRun(int argc, char** argv) {
       "          ./muelle run corner_hung_cloth --method velocity_verlet --step 1e-4\n"
       "          ./muelle run elastic_pendulum --method dop853 --tolerance 1e-12 --csv --out results\n"
       "          ./muelle run my_scene.toml");
-  program.action([&command] { return run(command); });
+  program.action([&command] {
+    if (!command.events.empty()) command.overrides.events = command.events == "on";
+    return run(command);
+  });
   return program.run(argc, argv);
 }
 

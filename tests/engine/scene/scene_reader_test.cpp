@@ -1,5 +1,5 @@
 #include "engine/forces/segment.h"
-#include "scene_text.h"
+#include "support/scene_text.h"
 
 #include <gmock/gmock.h>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "lab/run/run_scene.h"
 #include "lab/run/scene_figures.h"
-#include "scene_text.h"
+#include "support/scene_text.h"
 
 #include <gmock/gmock.h>
 #include <cmath>
