@@ -2,7 +2,7 @@
 /// Every right and wrong submission, every solution, and every hostile one that acts through the C library has the same
 /// class of outcome in `check` and in `grade`, on the inputs of the public tests.
 ///
-/// A pair costs two to three seconds of processor time. One known submission in eight is taken, whatever is new or
+/// A pair costs two to three seconds of processor time. One known submission in sixteen is taken, whatever is new or
 /// changed always (corpus_share.h); MUELLE_SHARE=all takes everything, MUELLE_SHARE=N one in N.
 
 #include "confined_check.h"
