@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "base/toml/value.h"
 #include "engine/scene/mesh_text.h"
+#include "engine/scene/polygon_list.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -32,15 +33,70 @@ std::int64_t objIndex(std::string_view word, std::size_t vertexCount, const Mesh
   if (error != std::errc() || end != text.data() + text.size() || index == 0) {
     at.fail(fmt::format("'{}' is no corner of a face; they are counted from 1", shownWord(word)));
   }
+  if (index < -static_cast<std::int64_t>(vertexCount)) {
+    at.fail(fmt::format("a face names vertex {}, counted back from its line; {} stand above it", index, vertexCount));
+  }
   return index > 0 ? index - 1 : static_cast<std::int64_t>(vertexCount) + index;
+}
+
+/// The corners of a face or of a line, in what is left of the present line.
+void readObjCorners(MeshText& text, std::size_t vertexCount, std::vector<std::int64_t>& corners) {
+  corners.clear();
+  while (text.hasWord()) {
+    if (corners.size() == mostCorners) text.fail(fmt::format("a face has more than {} corners", mostCorners));
+    corners.push_back(objIndex(text.word(), vertexCount, text));
+  }
+}
+
+/// Reads "OFF" with its prefixes, be it missing or with the first count at its end, as some collections have it.
+void readOffHeader(MeshText& text) {
+  if (!text.nextLine('#')) text.fail("the file is empty");
+  const std::string_view word = text.word();
+  const std::size_t at = word.find("OFF");
+  if (at == std::string_view::npos) {
+    text.unread(word.size());
+    if (word.find_first_not_of("0123456789") != std::string_view::npos) {
+      text.fail("an OFF file begins with the word OFF, or with its counts");
+    }
+    return;
+  }
+  std::string_view prefix = word.substr(0, at);
+  for (const std::string_view known : {"ST", "C", "N"}) {
+    if (prefix.starts_with(known)) prefix.remove_prefix(known.size());
+  }
+  if (!prefix.empty()) {
+    text.fail(fmt::format("'{}' is not read; OFF, with ST, C or N before it, is", shownWord(word)));
+  }
+  const std::string_view behind = word.substr(at + 3);
+  text.unread(behind.size());
+  if (behind.empty() && text.hasWord()) {
+    const std::string_view next = text.word();
+    if (next == "BINARY") text.fail("OFF as bytes is not read; save it as text, or as PLY");
+    text.unread(next.size());
+  }
+}
+
+/// The count of edges, which nothing needs: on the line of the others, alone on the next one, or missing.
+void skipEdgeCount(MeshText& text) {
+  if (!text.hasWord()) {
+    MeshText ahead = text;
+    if (!ahead.nextLine('#')) return;
+    ahead.word();
+    if (ahead.hasWord()) return;
+    text.nextLine('#');
+  }
+  text.integer();
 }
 
 }  // namespace
 
 SurfaceMesh parseObj(std::string_view bytes, const std::string& name) {
   MeshText text(bytes, name);
+  text.joinLines();
   SurfaceMesh mesh;
+  PolygonList polygons;
   std::vector<std::int64_t> corners;
+  bool hasLines = false;
   while (text.nextLine('#')) {
     const std::string_view kind = text.word();
     if (kind == "v") {
@@ -48,48 +104,46 @@ SurfaceMesh parseObj(std::string_view bytes, const std::string& name) {
         text.fail(fmt::format("more than {} vertices; fewer are read", mostVertices));
       }
       mesh.vertices.push_back(readVertex(text));
-    } else if (kind == "f") {
-      corners.clear();
-      while (text.hasWord()) {
-        if (corners.size() == mostCorners) text.fail(fmt::format("a face has more than {} corners", mostCorners));
-        corners.push_back(objIndex(text.word(), mesh.vertices.size(), text));
-      }
-      // A face may only name vertices above it: every OBJ writer keeps to that, and it needs no second pass.
-      addPolygon(mesh, corners, static_cast<std::int64_t>(mesh.vertices.size()), text);
+    } else if (kind == "f" || kind == "fo") {  // "fo": as the first writers called it
+      readObjCorners(text, mesh.vertices.size(), corners);
+      polygons.add(corners, text);
+    } else if (kind == "l") {
+      hasLines = true;
     }
   }
-  if (mesh.triangles.empty()) text.fail("no face; is this an OBJ file?");
+  polygons.cutInto(mesh, text, 1, hasLines);
   return mesh;
 }
 
 SurfaceMesh parseOff(std::string_view bytes, const std::string& name) {
   MeshText text(bytes, name);
-  if (!text.nextLine('#') || text.word() != "OFF") text.fail("an OFF file begins with the word OFF");
+  readOffHeader(text);
   const std::int64_t vertices = text.integerAnywhere('#');
   const std::int64_t faces = text.integerAnywhere('#');
-  text.integerAnywhere('#');  // edges: often 0, never needed
+  skipEdgeCount(text);
   const std::size_t bytesLeft = text.rest().size();
   // The shortest vertex is "0 0 0" and the shortest face "3 0 1 2", each with its end of line.
   const int vertexCount = checkedCount(text, vertices, "vertices", mostVertices, bytesLeft + 1, 6);
-  const int faceCount = checkedCount(text, faces, "faces", mostFaces, bytesLeft + 1, 8);
+  const int faceCount = checkedCount(text, faces, "faces", mostFaces, bytesLeft + 1, 4);
   SurfaceMesh mesh;
   mesh.vertices.reserve(static_cast<std::size_t>(vertexCount));
   for (int i = 0; i < vertexCount; ++i) {
     if (!text.nextLine('#')) text.fail(fmt::format("the file ends after {} of {} vertices", i, vertexCount));
     mesh.vertices.push_back(readVertex(text));
   }
+  PolygonList polygons;
   std::vector<std::int64_t> corners;
   for (int i = 0; i < faceCount; ++i) {
     if (!text.nextLine('#')) text.fail(fmt::format("the file ends after {} of {} faces", i, faceCount));
     const std::int64_t count = text.integer();
-    if (count < 3 || count > static_cast<std::int64_t>(mostCorners)) {
-      text.fail(fmt::format("a face has {} corners; 3 to {} are read", count, mostCorners));
+    if (count < 1 || count > static_cast<std::int64_t>(mostCorners)) {
+      text.fail(fmt::format("a face has {} corners; up to {} are read", count, mostCorners));
     }
     corners.clear();
     for (std::int64_t j = 0; j < count; ++j) corners.push_back(text.integer());
-    addPolygon(mesh, corners, vertexCount, text);
+    polygons.add(corners, text);
   }
-  if (mesh.triangles.empty()) text.fail("no face");
+  polygons.cutInto(mesh, text, 0);
   return mesh;
 }
 

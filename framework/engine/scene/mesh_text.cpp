@@ -1,7 +1,6 @@
 #include "engine/scene/mesh_text.h"
 
 #include "base/text/printable.h"
-#include "engine/scene/mesh_file.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -22,18 +21,41 @@ std::string shownWord(std::string_view word) {
   return printableLine(word.substr(0, most)) + (word.size() > most ? "..." : "");
 }
 
-void MeshText::fail(const std::string& complaint) const {
-  throw std::runtime_error(fmt::format("{}:{}: {}", name_, std::max(1, lineNumber_), complaint));
+MeshText::MeshText(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {
+  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+  if (text_.starts_with(byteOrderMark)) text_.remove_prefix(byteOrderMark.size());
+  // Where lines end with CR alone, an LF behind the last line of a header is a byte of the numbers that follow.
+  const std::size_t end = text_.find_first_of("\r\n");
+  endsInBoth_ = end != std::string_view::npos && text_.substr(end).starts_with("\r\n");
+}
+
+void MeshText::failAt(int line, const std::string& complaint) const {
+  throw std::runtime_error(fmt::format("{}:{}: {}", name_, std::max(1, line), complaint));
+}
+
+std::string_view MeshText::rawLine() {
+  const std::size_t end = std::min(text_.find_first_of("\r\n", position_), text_.size());
+  const std::string_view line = text_.substr(position_, end - position_);
+  const std::size_t ending = endsInBoth_ && text_.substr(end).starts_with("\r\n") ? 2 : 1;
+  position_ = std::min(end + ending, text_.size());
+  ++linesRead_;
+  return line;
 }
 
 bool MeshText::nextLine(char comment) {
+  const auto cut = [&](std::string_view line) { return comment == '\0' ? line : line.substr(0, line.find(comment)); };
   while (position_ < text_.size()) {
-    const std::size_t end = std::min(text_.find('\n', position_), text_.size());
-    line_ = text_.substr(position_, end - position_);
-    position_ = std::min(end + 1, text_.size());
-    ++lineNumber_;
+    line_ = cut(rawLine());
+    lineNumber_ = linesRead_;
     column_ = 0;
-    if (comment != '\0') line_ = line_.substr(0, line_.find(comment));
+    if (joins_ && line_.ends_with('\\')) {
+      joined_.clear();
+      while (line_.ends_with('\\')) {
+        joined_.append(line_.substr(0, line_.size() - 1)).push_back(' ');
+        line_ = position_ < text_.size() ? cut(rawLine()) : std::string_view();
+      }
+      line_ = joined_.append(line_);
+    }
     if (line_.find_first_not_of(blanks) != std::string_view::npos) return true;
   }
   line_ = {};
@@ -96,27 +118,6 @@ int checkedCount(const MeshText& at, std::int64_t count, const char* what, int m
                         count, what, bytes));
   }
   return static_cast<int>(count);
-}
-
-void addPolygon(SurfaceMesh& mesh, const std::vector<std::int64_t>& corners, std::int64_t vertexCount,
-                const MeshText& at) {
-  if (corners.size() < 3) at.fail(fmt::format("a face has {} corners; at least 3 are needed", corners.size()));
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (corners[i] < 0 || corners[i] >= vertexCount) {
-      at.fail(fmt::format("a face names vertex {} (counted from 0); there are {}", corners[i], vertexCount));
-    }
-    if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(i), corners[i]) !=
-        corners.begin() + static_cast<std::ptrdiff_t>(i)) {
-      at.fail(fmt::format("a face has vertex {} twice", corners[i]));
-    }
-  }
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    if (mesh.triangles.size() >= static_cast<std::size_t>(mostFaces)) {
-      at.fail(fmt::format("more than {} triangles; fewer are read", mostFaces));
-    }
-    mesh.triangles.push_back(
-        {static_cast<int>(corners[0]), static_cast<int>(corners[i]), static_cast<int>(corners[i + 1])});
-  }
 }
 
 void requireFinite(const Vec3& vertex, const MeshText& at) {

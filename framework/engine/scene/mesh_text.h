@@ -8,16 +8,22 @@
 
 namespace muelle::engine {
 
-/// Reads words and numbers of a mesh file line by line; knows where it is when it complains.
+/// Reads words and numbers of a mesh file line by line; knows where it is when it complains. A line ends with LF, CR LF
+/// or CR, whichever ends the first; a byte order mark before it is skipped.
 class MeshText {
  public:
-  MeshText(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
+  MeshText(std::string_view text, std::string name);
+
+  /// From here on a line that ends in a backslash goes on in the next one (OBJ).
+  void joinLines() { joins_ = true; }
 
   /// Goes to the next line that has words once `comment` and what follows it are cut; false at the end.
   bool nextLine(char comment);
   /// The words of the present line, one after the other; empty when there are no more.
   std::string_view word();
   bool hasWord();
+  /// Puts back the last `count` characters of the word just read.
+  void unread(std::size_t count) { column_ -= count; }
   double number();
   std::int64_t integer();
   /// As word(), going to the next line at the end of one; complains at the end of the file.
@@ -27,17 +33,25 @@ class MeshText {
   std::string_view line() const { return line_; }
   /// What lies behind the present line.
   std::string_view rest() const { return text_.substr(position_); }
-  [[noreturn]] void fail(const std::string& complaint) const;
+  /// The number of the present line, counted from 1; of joined lines the first.
+  int lineNumber() const { return lineNumber_; }
+  [[noreturn]] void fail(const std::string& complaint) const { failAt(lineNumber_, complaint); }
+  [[noreturn]] void failAt(int line, const std::string& complaint) const;
 
  private:
+  std::string_view rawLine();
   void seekWord(char comment);
 
   std::string_view text_;
   std::string name_;
   std::size_t position_ = 0;
   std::string_view line_;
+  std::string joined_;  ///< what line_ is a view of when it is more than one
   std::size_t column_ = 0;
   int lineNumber_ = 0;
+  int linesRead_ = 0;
+  bool joins_ = false;
+  bool endsInBoth_ = false;  ///< lines end with CR LF
 };
 
 /// A word of a file for a message: visible characters, not too many.
@@ -47,11 +61,6 @@ std::string shownWord(std::string_view word);
 /// `bytes` bytes can hold at `least` bytes each.
 int checkedCount(const MeshText& at, std::int64_t count, const char* what, int most, std::size_t bytes,
                  std::size_t least);
-
-/// Adds a polygon as triangles that share its first corner; complains of corners that are no vertices, appear twice, or
-/// are fewer than three.
-void addPolygon(SurfaceMesh& mesh, const std::vector<std::int64_t>& corners, std::int64_t vertexCount,
-                const MeshText& at);
 
 /// Complains of a coordinate that is not finite.
 void requireFinite(const Vec3& vertex, const MeshText& at);

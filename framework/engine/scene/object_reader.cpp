@@ -1,8 +1,11 @@
 #include "engine/scene/object_reader.h"
 
+#include "base/text/printable.h"
+#include "engine/scene/connectivity.h"
 #include "engine/scene/mesh_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
@@ -35,8 +38,8 @@ const std::map<std::string, KindKeys>& kinds() {
        {{"nodes", "spacing"},
         {"origin", "across", "along", "shear_stiffness", "bend_stiffness", "dihedral_stiffness", "area_modulus"}}},
       {"box", {{"cells", "size"}, {"centre", "bulk_modulus"}}},
-      {"shell", {{"mesh"}, {"scale"}}},
-      {"lattice", {{"mesh", "spacing"}, {"scale", "ties"}}},
+      {"shell", {{"mesh"}, {"scale", "weld"}}},
+      {"lattice", {{"mesh", "spacing"}, {"scale", "weld", "ties"}}},
   };
   return all;
 }
@@ -106,36 +109,59 @@ Part readBox(const TableReader& table, Model& model) {
   return addBox(model, shape);
 }
 
-SurfaceMesh readMesh(const TableReader& table, const std::filesystem::path& folder) {
+/// Adds "3 things", or nothing where there are none.
+void addCount(std::vector<std::string>& words, int count, const char* one, const char* several) {
+  if (count > 0) words.push_back(fmt::format("{} {}", count, count == 1 ? one : several));
+}
+
+/// What of a mesh is perhaps not meant, in one sentence; empty when nothing is.
+std::string doubtsAbout(const SurfaceMesh& mesh, const Connectivity& found, const std::string& name) {
+  std::vector<std::string> words;
+  addCount(words, mesh.facesLeftOut, "face without three different corners is left out",
+           "faces without three different corners are left out");
+  addCount(words, found.unused, "vertex of no face is no node", "vertices of no face are no nodes");
+  if (found.pieces > 1) words.push_back(fmt::format("{} pieces that nothing joins", found.pieces));
+  const bool shared = found.places < found.vertices;
+  if (shared) words.push_back(fmt::format("{} vertices at {} places", found.vertices, found.places));
+  if (words.empty()) return "";
+  return fmt::format("mesh '{}': {}{}", printableLine(name), fmt::join(words, ", "),
+                     shared ? "; weld = true makes one node of those at the same place" : "");
+}
+
+SurfaceMesh readMesh(const TableReader& table, const std::filesystem::path& folder, Scene& scene) {
   const std::string name = table.text("mesh");
   const std::filesystem::path file = folder / name;  // an absolute name stays as it is
   if (!std::filesystem::is_regular_file(file)) {
     table.fail("mesh", fmt::format("no file '{}' beside the scene", name));
   }
   SurfaceMesh mesh = readMeshFile(file);
+  if (table.flag("weld", false)) weld(mesh);
+  std::string doubts = doubtsAbout(mesh, connectivityOf(mesh), name);
+  if (!doubts.empty()) scene.warnings.push_back(std::move(doubts));
+  dropUnused(mesh);
   const double scale = table.positive("scale", 1.0);
   for (Vec3& x : mesh.vertices) x *= scale;
   return mesh;
 }
 
-Part readShell(const TableReader& table, Model& model, const std::filesystem::path& folder) {
-  return addShell(model, {readMesh(table, folder), readMaterial(table)});
+Part readShell(const TableReader& table, Scene& scene, const std::filesystem::path& folder) {
+  return addShell(scene.model, {readMesh(table, folder, scene), readMaterial(table)});
 }
 
-Part readLattice(const TableReader& table, Model& model, const std::filesystem::path& folder) {
+Part readLattice(const TableReader& table, Scene& scene, const std::filesystem::path& folder) {
   LatticeShape shape;
-  shape.mesh = readMesh(table, folder);
+  shape.mesh = readMesh(table, folder, scene);
   shape.spacing = table.positive("spacing");
   if (table.has("ties")) shape.ties = table.integer("ties", 1, 100);
   shape.spring = readMaterial(table);
-  return addLattice(model, shape);
+  return addLattice(scene.model, shape);
 }
 
-Part generate(const TableReader& table, const std::string& kind, Model& model, const std::filesystem::path& folder) {
-  if (kind == "chain") return readChain(table, model);
-  if (kind == "grid") return readGrid(table, model);
-  if (kind == "box") return readBox(table, model);
-  return kind == "shell" ? readShell(table, model, folder) : readLattice(table, model, folder);
+Part generate(const TableReader& table, const std::string& kind, Scene& scene, const std::filesystem::path& folder) {
+  if (kind == "chain") return readChain(table, scene.model);
+  if (kind == "grid") return readGrid(table, scene.model);
+  if (kind == "box") return readBox(table, scene.model);
+  return kind == "shell" ? readShell(table, scene, folder) : readLattice(table, scene, folder);
 }
 
 void readMass(const TableReader& table, Model& model, const Part& part) {
@@ -199,7 +225,7 @@ void readObject(const TableReader& table, Scene& scene, const std::filesystem::p
   checkKeys(table, kind);
   Part part;
   try {
-    part = generate(table, kind, scene.model, folder);
+    part = generate(table, kind, scene, folder);
   } catch (const std::invalid_argument& error) {
     table.failHere(error.what());
   }

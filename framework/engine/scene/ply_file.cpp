@@ -1,10 +1,12 @@
 #include "engine/scene/mesh_file.h"
 #include "engine/scene/mesh_text.h"
+#include "engine/scene/polygon_list.h"
 
 #include <fmt/format.h>
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 namespace muelle::engine {
 
@@ -28,8 +30,10 @@ struct Element {
   std::vector<Property> properties;
 };
 
+enum class Format { Ascii, LittleEndian, BigEndian };
+
 struct Header {
-  bool binary = false;
+  Format format = Format::Ascii;
   std::vector<Element> elements;
 };
 
@@ -68,6 +72,14 @@ Property readProperty(MeshText& text) {
   return property;
 }
 
+Format formatNamed(std::string_view word, const MeshText& at) {
+  if (word == "ascii") return Format::Ascii;
+  if (word == "binary_little_endian") return Format::LittleEndian;
+  if (word == "binary_big_endian") return Format::BigEndian;
+  at.fail(
+      fmt::format("'{}' is no format of PLY: ascii, binary_little_endian and binary_big_endian are", shownWord(word)));
+}
+
 Header readHeader(MeshText& text) {
   if (!text.nextLine('\0') || text.word() != "ply") text.fail("a PLY file begins with the word ply");
   Header header;
@@ -80,11 +92,7 @@ Header readHeader(MeshText& text) {
     }
     if (word == "comment" || word == "obj_info") continue;
     if (word == "format") {
-      const std::string_view format = text.word();
-      if (format != "ascii" && format != "binary_little_endian") {
-        text.fail(fmt::format("the format '{}' is not read; ascii and binary_little_endian are", shownWord(format)));
-      }
-      header.binary = format != "ascii";
+      header.format = formatNamed(text.word(), text);
       hasFormat = true;
     } else if (word == "element") {
       Element element;
@@ -112,12 +120,13 @@ Header readHeader(MeshText& text) {
 /// The body: numbers one after the other, as text or as bytes.
 class Body {
  public:
-  Body(MeshText& text, bool binary) : text_(text), binary_(binary), bytes_(text.rest()) {}
+  Body(MeshText& text, Format format) : text_(text), format_(format), bytes_(text.rest()) {}
 
-  std::size_t bytesLeft() const { return binary_ ? bytes_.size() : text_.rest().size() + text_.line().size() + 1; }
+  bool isBinary() const { return format_ != Format::Ascii; }
+  std::size_t bytesLeft() const { return isBinary() ? bytes_.size() : text_.rest().size() + text_.line().size() + 1; }
 
   double number(Type type) {
-    if (!binary_) return text_.numberAnywhere('\0');
+    if (!isBinary()) return text_.numberAnywhere('\0');
     switch (type) {
       case Type::Int8:
         return take<std::int8_t>();
@@ -147,11 +156,9 @@ class Body {
     return static_cast<std::int64_t>(value);
   }
 
-  std::int64_t listLength(Type type) {
+  std::int64_t listLength(Type type, std::int64_t most = mostListLength) {
     const std::int64_t length = integer(type);
-    if (length < 0 || length > mostListLength) {
-      text_.fail(fmt::format("a list has {} entries; 0 to {} are read", length, mostListLength));
-    }
+    if (length < 0 || length > most) text_.fail(fmt::format("a list has {} entries; 0 to {} are read", length, most));
     return length;
   }
 
@@ -163,16 +170,19 @@ class Body {
  private:
   template <class T>
   T take() {
-    static_assert(std::endian::native == std::endian::little, "the bytes of a PLY file are taken as they are");
+    static_assert(std::endian::native == std::endian::little,
+                  "the bytes of a PLY file are turned round only when it says so");
     if (bytes_.size() < sizeof(T)) text_.fail("the file ends too early");
-    T value;
-    std::memcpy(&value, bytes_.data(), sizeof(T));
+    std::array<char, sizeof(T)> raw;
+    std::copy_n(bytes_.begin(), sizeof(T), raw.begin());
+    if (format_ == Format::BigEndian) std::ranges::reverse(raw);
+    const T value = std::bit_cast<T>(raw);
     bytes_.remove_prefix(sizeof(T));
     return value;
   }
 
   MeshText& text_;
-  bool binary_;
+  Format format_;
   std::string_view bytes_;
 };
 
@@ -204,19 +214,53 @@ void readVertices(Body& body, const Element& element, SurfaceMesh& mesh, const M
   }
 }
 
-void readFaces(Body& body, const Element& element, std::int64_t vertexCount, SurfaceMesh& mesh, const MeshText& at) {
-  std::vector<std::int64_t> corners;
-  for (std::int64_t i = 0; i < element.count; ++i) {
-    corners.clear();
-    for (const Property& property : element.properties) {
-      if (!property.isList || (property.name != "vertex_indices" && property.name != "vertex_index")) {
-        body.skip(property);
-        continue;
-      }
-      const std::int64_t count = body.listLength(property.countType);
-      for (std::int64_t j = 0; j < count; ++j) corners.push_back(body.integer(property.type));
+bool namesCorners(const Property& property) {
+  return property.isList && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+/// Reads an element's list of corners; its other properties are skipped.
+void readCorners(Body& body, const Element& element, std::int64_t most, std::vector<std::int64_t>& corners) {
+  corners.clear();
+  for (const Property& property : element.properties) {
+    if (!namesCorners(property)) {
+      body.skip(property);
+      continue;
     }
-    addPolygon(mesh, corners, vertexCount, at);
+    const std::int64_t count = body.listLength(property.countType, most);
+    for (std::int64_t j = 0; j < count; ++j) corners.push_back(body.integer(property.type));
+  }
+}
+
+/// The triangles of a strip, every second one turned; -1 begins a new strip, and a corner given twice in a row, which
+/// joins two strips to one, makes none.
+void addStrip(const std::vector<std::int64_t>& corners, PolygonList& polygons, const MeshText& at) {
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (corners[i] == -1) begin = i + 1;
+    if (i < begin + 2) continue;
+    const std::int64_t a = corners[i - 2];
+    const std::int64_t b = corners[i - 1];
+    const std::int64_t c = corners[i];
+    if (a == b || b == c || c == a) continue;
+    const bool turned = (i - begin) % 2 == 1;
+    polygons.add(turned ? std::vector{b, a, c} : std::vector{a, b, c}, at);
+  }
+}
+
+/// Reads the elements of one kind into the mesh or the list of its faces.
+void readElements(Body& body, const Element& element, SurfaceMesh& mesh, PolygonList& polygons, const MeshText& at) {
+  std::vector<std::int64_t> corners;
+  if (element.name == "vertex") return readVertices(body, element, mesh, at);
+  for (std::int64_t i = 0; i < element.count; ++i) {
+    if (element.name == "face") {
+      readCorners(body, element, mostListLength, corners);
+      polygons.add(corners, at);
+    } else if (element.name == "tristrips") {
+      readCorners(body, element, std::int64_t{3} * mostFaces, corners);
+      addStrip(corners, polygons, at);
+    } else {
+      for (const Property& property : element.properties) body.skip(property);
+    }
   }
 }
 
@@ -225,29 +269,20 @@ void readFaces(Body& body, const Element& element, std::int64_t vertexCount, Sur
 SurfaceMesh parsePly(std::string_view bytes, const std::string& name) {
   MeshText text(bytes, name);
   const Header header = readHeader(text);
-  Body body(text, header.binary);
-  std::int64_t vertexCount = 0;
-  for (const Element& element : header.elements) {
-    if (element.name == "vertex") vertexCount = element.count;
-  }
+  Body body(text, header.format);
   SurfaceMesh mesh;
+  PolygonList polygons;
+  bool hasLines = false;
   for (const Element& element : header.elements) {
     if (element.count == 0) continue;
     // A name of the file stands in this message only when it is one of the two that count.
     const char* what = element.name == "vertex" ? "vertices" : element.name == "face" ? "faces" : "elements";
     checkedCount(text, element.count, what, static_cast<int>(mostElements), body.bytesLeft(),
-                 leastBytes(element, header.binary));
-    if (element.name == "vertex") {
-      readVertices(body, element, mesh, text);
-    } else if (element.name == "face") {
-      readFaces(body, element, vertexCount, mesh, text);
-    } else {
-      for (std::int64_t i = 0; i < element.count; ++i) {
-        for (const Property& property : element.properties) body.skip(property);
-      }
-    }
+                 leastBytes(element, body.isBinary()));
+    readElements(body, element, mesh, polygons, text);
+    hasLines |= element.name == "edge";
   }
-  if (mesh.triangles.empty()) text.fail("no face");
+  polygons.cutInto(mesh, text, 0, hasLines);
   return mesh;
 }
 

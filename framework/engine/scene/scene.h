@@ -45,7 +45,8 @@ struct Scene {
   bool locateEvents = true;
   bool compensated = false;
   std::vector<SceneOutput> outputs;
-  std::array<int, 2> view = {0, 2};  ///< components that figures show across and up
+  std::vector<std::string> warnings;  ///< what was read and is perhaps not meant, a sentence each
+  std::array<int, 2> view = {0, 2};   ///< components that figures show across and up
 };
 
 /// Reads a scene file. Throws std::runtime_error "FOLDER/FILE.toml:LINE: key 'KEY': what is wrong", with what was

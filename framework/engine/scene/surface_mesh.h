@@ -12,6 +12,7 @@ using Triangle = std::array<int, 3>;  ///< indices of vertices, anticlockwise se
 struct SurfaceMesh {
   std::vector<Vec3> vertices;  ///< [m]
   std::vector<Triangle> triangles;
+  int facesLeftOut = 0;  ///< faces of the file that have fewer than three different corners
 };
 
 /// The edges of triangles, each once, as pairs of indices with the smaller first, ascending.

@@ -250,6 +250,7 @@ std::string summaryOf(const Scene& scene, const SceneRun& run) {
   const RunResult& result = run.result;
   std::string text = fmt::format("{}: {}\n", scene.name, scene.title);
   text += line("scene", sizeLine(scene, run));
+  for (const std::string& warning : scene.warnings) text += line("warning", warning);
   text += line("method", fmt::format("{}, order {}", run.method.name, run.method.order));
   text += line("step", stepLine(scene, run));
   text += line("time", timeLine(run));

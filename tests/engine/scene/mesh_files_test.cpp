@@ -156,11 +156,20 @@ TEST(MeshFiles, FaultsAreNamedWithTheirLine) {
   EXPECT_EQ(complaint(formats[0], "OFF\n3 1 0\n0.000000 0 0\n1.0000 0 0\n"),
             "mesh:4: the file ends after 2 of 3 vertices");
   EXPECT_EQ(complaint(formats[0], "OFF\n3 1 0\n0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n"), "mesh:4: 'zero' is no number");
-  EXPECT_EQ(complaint(formats[1], "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 2\n"), "mesh:4: a face has vertex 1 twice");
+  EXPECT_EQ(complaint(formats[1], "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 2\n"),
+            "mesh:4: no face that has three different corners");
   EXPECT_EQ(complaint(formats[1], "v 0 0 0\nf 1 0 1\n"), "mesh:2: '0' is no corner of a face; they are counted from 1");
-  EXPECT_EQ(complaint(formats[1], "hello\n"), "mesh:1: no face; is this an OBJ file?");
-  EXPECT_EQ(complaint(formats[2], "ply\nformat binary_big_endian 1.0\nend_header\n"),
-            "mesh:2: the format 'binary_big_endian' is not read; ascii and binary_little_endian are");
+  EXPECT_EQ(complaint(formats[1], "hello\n"), "mesh:1: no face");
+  EXPECT_EQ(
+      complaint(formats[2], "ply\nformat binary_middle_endian 1.0\nend_header\n"),
+      "mesh:2: 'binary_middle_endian' is no format of PLY: ascii, binary_little_endian and binary_big_endian are");
+  EXPECT_EQ(complaint(formats[1], "f 1 2 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"),
+            "mesh:1: a face names vertex 9 (counted from 1); there are 3");
+  EXPECT_EQ(complaint(formats[1], "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n"),
+            "mesh:4: a face names vertex -4, counted back from its line; 3 stand above it");
+  EXPECT_EQ(complaint(formats[1], "v 0 0 0\nv 1 0 0\nl 1 2\n"),
+            "mesh:3: only lines and no face: what is made of a mesh needs faces; a line is a 'chain'");
+  EXPECT_EQ(complaint(formats[0], "4OFF\n3 1 0\n"), "mesh:1: '4OFF' is not read; OFF, with ST, C or N before it, is");
   EXPECT_EQ(complaint(formats[2], "solid\n"), "mesh:1: a PLY file begins with the word ply");
 }
 
