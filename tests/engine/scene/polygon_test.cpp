@@ -1,5 +1,4 @@
 #include "engine/scene/polygon.h"
-#include "engine/scene/connectivity.h"
 
 #include <gmock/gmock.h>
 #include <Eigen/Geometry>
@@ -57,30 +56,6 @@ TEST(Polygon, RepeatedCornersAreDroppedAndThereAndBackIsNothing) {
   for (const std::vector<int>& corners : {std::vector<int>{}, {0}, {0, 1}, {0, 1, 0}, {0, 1, 2, 1}, {2, 2, 2, 2}}) {
     EXPECT_TRUE(cutPolygon(corners, square).empty());
   }
-}
-
-SurfaceMesh twoSquaresApart() {
-  return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {9, 9, 9}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}},
-          {{0, 1, 2}, {0, 2, 3}, {5, 6, 7}, {5, 7, 8}}};
-}
-
-TEST(ConnectivityOfMesh, CountsPiecesPlacesAndWhatNoFaceNames) {
-  const Connectivity found = connectivityOf(twoSquaresApart());
-  EXPECT_EQ(found.vertices, 8);
-  EXPECT_EQ(found.unused, 1);
-  EXPECT_EQ(found.places, 6);
-  EXPECT_EQ(found.pieces, 2);
-}
-
-TEST(ConnectivityOfMesh, AWeldedMeshIsOnePieceWithTheSameArea) {
-  SurfaceMesh mesh = twoSquaresApart();
-  weld(mesh);
-  dropUnused(mesh);
-  EXPECT_EQ(mesh.vertices.size(), 6u);
-  EXPECT_EQ(edgesOf(mesh.triangles).size(), 9u);  // 4 + 3 sides, 2 diagonals
-  EXPECT_EQ(connectivityOf(mesh).pieces, 1);
-  double least = 0.0;
-  EXPECT_NEAR(areaOf(mesh.triangles, mesh.vertices, least), 2.0, 1e-15);
 }
 
 }  // namespace
