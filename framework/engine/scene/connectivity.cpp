@@ -97,10 +97,9 @@ void weld(SurfaceMesh& mesh) {
   for (Triangle& t : mesh.triangles) {
     for (int& i : t) i = first[static_cast<std::size_t>(i)];
   }
-  const auto gone = std::ranges::remove_if(
-      mesh.triangles, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
-  mesh.facesLeftOut += static_cast<int>(std::ssize(gone));
-  mesh.triangles.erase(gone.begin(), gone.end());
+  const std::size_t gone =
+      std::erase_if(mesh.triangles, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  mesh.facesLeftOut += static_cast<int>(gone);
   std::vector<bool> isFirst(first.size());
   for (std::size_t i = 0; i < first.size(); ++i) isFirst[i] = first[i] == static_cast<int>(i);
   keepVertices(mesh, isFirst);

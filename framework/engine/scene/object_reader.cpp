@@ -173,7 +173,8 @@ void readMass(const TableReader& table, Model& model, const Part& part) {
 
 template <class Use>
 void forNodes(Model& model, const Part& part, const Use& use) {
-  for (int i = 0; i < part.nodeCount; ++i) use(model.nodes[static_cast<std::size_t>(part.firstNode + i)]);
+  const auto first = model.nodes.begin() + part.firstNode;
+  std::for_each(first, first + part.nodeCount, use);
 }
 
 Vec3 centreOf(Model& model, const Part& part) {
