@@ -8,6 +8,7 @@
 #include "engine/forces/property.h"
 #include "engine/forces/spring.h"
 #include "engine/forces/volume.h"
+#include "engine/model/damping.h"
 #include "engine/model/mass_spring_system.h"
 #include "engine/model/numbering.h"
 #include "engine/model/validate.h"
@@ -18,8 +19,6 @@
 namespace muelle::engine {
 
 namespace {
-
-bool isFree(const ModelNode& node) { return !node.pinned && node.motion < 0; }
 
 std::vector<int> axesOf(const Model& model) {
   if (model.dimension == 1) return {0};
@@ -97,7 +96,8 @@ void addSprings(Builder& builder) {
     if (!builder.anyFree({s.a, s.b})) continue;
     // Without a rest length nothing happens at zero length.
     auto& kind = s.unilateral ? unilateral : s.L0 > 0.0 && (D == 1 || builder.model.springsCross) ? crossing : plain;
-    kind.push_back({builder.built(s.a), builder.built(s.b), s.k, s.L0, s.dRelative, s.dProjected, static_cast<int>(i)});
+    kind.push_back({builder.built(s.a), builder.built(s.b), s.k, s.L0, s.dRelative, projectedDamping(builder.model, s),
+                    static_cast<int>(i)});
   }
   for (const auto& [springs, kind] : {std::pair(&plain, SpringKind::Plain), std::pair(&crossing, SpringKind::Crossing),
                                       std::pair(&unilateral, SpringKind::Unilateral)}) {

@@ -38,6 +38,7 @@ struct ModelSpring {
   double dRelative = 0.0;   ///< [kg/s]
   double dProjected = 0.0;  ///< [kg/s]
   bool unilateral = false;  ///< acts only when shorter than L0 (a contact between nodes, "rest gap")
+  double dampingRatio = 0;  ///< above 0 in place of dProjected, which then is 0: see projectedDamping()
 };
 
 /// Three nodes a - b - c that resist bending at b: E = k (theta - theta0)^2 / 2, theta the turning angle at b, 0 when

@@ -134,6 +134,10 @@ void checkSprings(const Model& model) {
     requireNotNegative(item, "rest length L0", spring.L0);
     requireNotNegative(item, "relative damping", spring.dRelative);
     requireNotNegative(item, "projected damping", spring.dProjected);
+    requireNotNegative(item, "damping ratio", spring.dampingRatio);
+    if (spring.dampingRatio > 0.0 && spring.dProjected > 0.0) {
+      reject(item, "has a damping ratio and a projected damping; give one of them");
+    }
     ends.push_back({std::min(spring.a, spring.b), std::max(spring.a, spring.b), static_cast<int>(i)});
   }
   std::sort(ends.begin(), ends.end());

@@ -315,9 +315,7 @@ void lumpMass(Model& model, const Part& part, double M, double taper) {
 void setDampingRatio(Model& model, const Part& part, double ratio) {
   for (ModelSpring& spring : model.springs) {
     if (spring.a < part.firstNode || spring.a >= part.firstNode + part.nodeCount) continue;
-    const double ma = model.nodes[static_cast<std::size_t>(spring.a)].m;
-    const double mb = model.nodes[static_cast<std::size_t>(spring.b)].m;
-    spring.dProjected = 2.0 * ratio * std::sqrt(spring.k * ma * mb / (ma + mb));
+    spring.dampingRatio = ratio;
   }
 }
 

@@ -85,8 +85,7 @@ Part addLattice(Model& model, const LatticeShape& shape);
 /// has `taper` times the mass of the first; the sum is M.
 void lumpMass(Model& model, const Part& part, double M, double taper = 1.0);
 
-/// Gives every spring of the part the projected damping d = 2 ratio sqrt(k m), 1/m = 1/ma + 1/mb: `ratio` is that of
-/// the two masses on this spring alone.
+/// Gives every spring of the part the damping ratio in place of a projected damping (projectedDamping()).
 void setDampingRatio(Model& model, const Part& part, double ratio);
 
 }  // namespace muelle::engine

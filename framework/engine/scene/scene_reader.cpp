@@ -7,6 +7,7 @@
 #include "base/text/nearest.h"
 #include "base/text/printable.h"
 #include "engine/integrators/catalogue.h"
+#include "engine/model/damping.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -75,10 +76,14 @@ void readNode(const TableReader& table, Model& model) {
   node.x = table.vector("x");
   node.v = table.vector("v", Vec3::Zero());
   node.pinned = table.flag("pinned", false);
-  if (!node.pinned && !table.has("m")) table.fail("m", "missing: a node that is not pinned has a mass");
   node.m = table.positive("m", 1.0);
   node.drag = table.notNegative("drag", 0.0);
   model.nodes.push_back(node);
+}
+
+/// Known only once pins and motions are: a node that one of them holds needs no mass.
+void requireMass(const TableReader& table, const ModelNode& node) {
+  if (isFree(node) && !table.has("m")) table.fail("m", "missing: a node that is neither pinned nor moved has a mass");
 }
 
 void readSpring(const TableReader& table, Model& model) {
@@ -93,15 +98,8 @@ void readSpring(const TableReader& table, Model& model) {
   spring.dRelative = table.notNegative("relative_damping", 0.0);
   spring.dProjected = table.notNegative("projected_damping", 0.0);
   spring.unilateral = table.flag("unilateral", false);
-  if (table.oneKeyOf({"damping_ratio", "projected_damping"}, false) == "damping_ratio") {
-    // The inverse masses, so that a pinned end counts as infinitely heavy.
-    const auto inverse = [&](int i) {
-      const ModelNode& node = model.nodes[static_cast<std::size_t>(i)];
-      return node.pinned ? 0.0 : 1.0 / node.m;
-    };
-    const double sum = inverse(spring.a) + inverse(spring.b);
-    if (sum > 0.0) spring.dProjected = 2.0 * table.notNegative("damping_ratio") * std::sqrt(spring.k / sum);
-  }
+  table.oneKeyOf({"damping_ratio", "projected_damping"}, false);
+  spring.dampingRatio = table.notNegative("damping_ratio", 0.0);
   model.springs.push_back(spring);
 }
 
@@ -325,6 +323,8 @@ Scene interpret(const TableReader& given, const std::filesystem::path& file) {
   for (const TableReader& t : table.tables("velocity")) readVelocity(t, scene);
   for (const TableReader& t : table.tables("pin")) readPin(t, scene);
   for (const TableReader& t : table.tables("motion")) readMotion(t, scene);
+  std::size_t node = 0;
+  for (const TableReader& t : table.tables("node")) requireMass(t, model.nodes[node++]);
   for (const TableReader& t : table.tables("force")) readForce(t, scene);
   for (const TableReader& t : table.tables("obstacle")) readObstacle(t, model);
   const auto run = table.table("run");

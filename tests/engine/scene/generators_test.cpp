@@ -1,4 +1,5 @@
 #include "engine/scene/generators.h"
+#include "engine/model/damping.h"
 #include "engine/scene/mesh_file.h"
 
 #include <fmt/format.h>
@@ -76,7 +77,7 @@ TEST(Chain, DampingRatioIsThatOfTwoMassesOnOneSpring) {
   lumpMass(model, part, 4.0);
   setDampingRatio(model, part, 1.0);
   // Two masses of 2 kg swing against each other as 1 kg on the spring: critical at 2 sqrt(100 * 1).
-  EXPECT_DOUBLE_EQ(model.springs[0].dProjected, 20.0);
+  EXPECT_DOUBLE_EQ(projectedDamping(model, model.springs[0]), 20.0);
 }
 
 TEST(Grid, IsTheClothOfTheHardCases) {

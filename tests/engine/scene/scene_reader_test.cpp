@@ -1,4 +1,5 @@
 #include "engine/forces/segment.h"
+#include "engine/model/damping.h"
 #include "support/scene_text.h"
 
 #include <gmock/gmock.h>
@@ -35,7 +36,7 @@ const std::vector<Fault>& faults() {
       {"NegativeMass", head + "[[node]]\nx = 0.0\nm = -1.0\n" + run,
        "scenes/test.toml:8: key 'm': is -1; it must be positive"},
       {"NoMass", head + "[[node]]\nx = 0.0\n" + run,
-       "scenes/test.toml:6: key 'm': missing: a node that is not pinned has a mass"},
+       "scenes/test.toml:6: key 'm': missing: a node that is neither pinned nor moved has a mass"},
       {"NanPosition", head + "[[node]]\nx = nan\nm = 1\n" + run, "scenes/test.toml:7: key 'x': is not a number"},
       {"InfiniteVelocity", head + "[[node]]\nx = 0.0\nv = inf\nm = 1\n" + run,
        "scenes/test.toml:8: key 'v': must be finite"},
@@ -105,10 +106,30 @@ TEST(SceneReader, ReadsNodesAndSpringsByHand) {
   ASSERT_EQ(scene.model.springs.size(), 1u);
   EXPECT_EQ(scene.model.springs[0].L0, 1.0);
   // The pinned end is infinitely heavy: d = 2 zeta sqrt(k m) = 2 * 0.5 * sqrt(100 * 1).
-  EXPECT_DOUBLE_EQ(scene.model.springs[0].dProjected, 10.0);
+  EXPECT_DOUBLE_EQ(projectedDamping(scene.model, scene.model.springs[0]), 10.0);
   EXPECT_EQ(scene.method, "velocity_verlet");
   EXPECT_EQ(scene.step, 0.01);
   EXPECT_FALSE(scene.tolerance);
+}
+
+/// A mass of 4 kg on a spring to a node that is held, in one way or another.
+Scene heldBy(const std::string& nodeKey, const std::string& table) {
+  return sceneFrom(head + "[[node]]\nx = 0.0\n" + nodeKey + "[[node]]\nx = 1.2\nm = 4.0\n[[spring]]\nnodes = [0, 1]\n" +
+                   "k = 100.0\nL0 = 1.0\ndamping_ratio = 0.1\n" + table + run);
+}
+
+TEST(SceneReader, ADampingRatioIsTheSameInWhateverWayTheOtherNodeIsHeld) {
+  const std::pair<std::string, std::string> ways[] = {
+      {"pinned = true\n", ""},
+      {"m = 4.0\npinned = true\n", ""},
+      {"m = 4.0\n", "[[pin]]\nnodes = [0]\n"},
+      {"", "[[pin]]\nnodes = [0]\n"},
+      {"", "[[motion]]\nnodes = [0]\ndisplacement = 0.1\nduring = [0.0, 1.0]\n"}};
+  for (const auto& [key, table] : ways) {
+    const Scene scene = heldBy(key, table);
+    // d = 2 z sqrt(k m) = 2 * 0.1 * sqrt(100 * 4)
+    EXPECT_DOUBLE_EQ(projectedDamping(scene.model, scene.model.springs[0]), 4.0) << key << table;
+  }
 }
 
 TEST(SceneReader, RestLengthIsTheDistanceWhenNotGiven) {
