@@ -307,9 +307,8 @@ void lumpMass(Model& model, const Part& part, double M, double taper) {
   const double ratio = part.nodeCount > 1 ? std::pow(taper, 1.0 / (part.nodeCount - 1)) : 1.0;
   double sum = 0.0;
   for (int i = 0; i < part.nodeCount; ++i) sum += std::pow(ratio, i);
-  for (int i = 0; i < part.nodeCount; ++i) {
-    model.nodes[static_cast<std::size_t>(part.firstNode + i)].m = M * std::pow(ratio, i) / sum;
-  }
+  const auto first = model.nodes.begin() + part.firstNode;
+  for (int i = 0; i < part.nodeCount; ++i) first[i].m = M * std::pow(ratio, i) / sum;
 }
 
 void setDampingRatio(Model& model, const Part& part, double ratio) {

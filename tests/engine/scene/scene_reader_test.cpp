@@ -9,8 +9,6 @@
 namespace muelle::engine {
 namespace {
 
-using ::testing::HasSubstr;
-
 struct Fault {
   std::string name;
   std::string text;
