@@ -1,5 +1,7 @@
 #include "engine/scene/connectivity.h"
 
+#include "engine/scene/joined_sets.h"
+
 #include <algorithm>
 #include <numeric>
 #include <set>
@@ -35,22 +37,6 @@ std::vector<bool> usedBy(const SurfaceMesh& mesh) {
   return used;
 }
 
-/// Sets that grow together (union-find with halved paths).
-class Sets {
- public:
-  explicit Sets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  int of(int i) {
-    while (at(i) != i) i = at(i) = at(at(i));
-    return i;
-  }
-  void join(int i, int j) { at(of(i)) = of(j); }
-
- private:
-  int& at(int i) { return parent_[static_cast<std::size_t>(i)]; }
-  std::vector<int> parent_;
-};
-
 /// Keeps some of the vertices, in their order; no triangle has another one.
 void keepVertices(SurfaceMesh& mesh, const std::vector<bool>& keeps) {
   std::vector<int> now(mesh.vertices.size());
@@ -70,7 +56,7 @@ void keepVertices(SurfaceMesh& mesh, const std::vector<bool>& keeps) {
 Connectivity connectivityOf(const SurfaceMesh& mesh) {
   const std::vector<bool> used = usedBy(mesh);
   const std::vector<int> first = firstAtPlace(mesh.vertices);
-  Sets sets(mesh.vertices.size());
+  JoinedSets sets(static_cast<int>(std::ssize(mesh.vertices)));
   for (const Triangle& t : mesh.triangles) {
     sets.join(t[0], t[1]);
     sets.join(t[1], t[2]);

@@ -1,4 +1,5 @@
 #include "engine/scene/generators.h"
+#include "engine/scene/joined_sets.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -89,18 +90,12 @@ std::vector<int> nearestInner(const std::vector<InnerNode>& inner, const Vec3& x
 
 /// Throws when some node cannot be reached from the first along springs.
 void requireConnected(const Model& model, const Part& part) {
-  std::vector<int> parent(static_cast<std::size_t>(part.nodeCount));
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto at = [&](int i) -> int& { return parent[static_cast<std::size_t>(i)]; };
-  const auto root = [&](int i) {
-    while (at(i) != i) i = at(i) = at(at(i));
-    return i;
-  };
+  JoinedSets sets(part.nodeCount);
   for (const ModelSpring& spring : model.springs) {
-    if (spring.a >= part.firstNode) at(root(spring.a - part.firstNode)) = root(spring.b - part.firstNode);
+    if (spring.a >= part.firstNode) sets.join(spring.a - part.firstNode, spring.b - part.firstNode);
   }
   for (int i = 1; i < part.nodeCount; ++i) {
-    if (root(i) == root(0)) continue;
+    if (sets.of(i) == sets.of(0)) continue;
     throw std::invalid_argument(
         fmt::format("the solid is in pieces: no springs lead from its node 0 to node {}; make the spacing smaller", i));
   }
