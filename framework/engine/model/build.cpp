@@ -58,8 +58,7 @@ Numbering number(const Model& model) {
   numbering.user = order;
   numbering.built.resize(order.size());
   for (int i = 0; i < count; ++i) numbering.built[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])] = i;
-  numbering.freeNodes =
-      static_cast<int>(std::count_if(model.nodes.begin(), model.nodes.end(), [](const auto& n) { return isFree(n); }));
+  numbering.freeNodes = static_cast<int>(std::count_if(model.nodes.begin(), model.nodes.end(), isFree));
   return numbering;
 }
 

@@ -388,7 +388,7 @@ Vec3 MassSpringSystem::momentum(const State& state) const {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < nodeCount(); ++i) {
     const ModelNode& node = model_.nodes[static_cast<std::size_t>(i)];
-    if (!node.pinned && node.motion < 0) sum += node.m * velocity(state, i);
+    if (isFree(node)) sum += node.m * velocity(state, i);
   }
   return sum;
 }
@@ -397,7 +397,7 @@ Vec3 MassSpringSystem::angularMomentum(const State& state) const {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < nodeCount(); ++i) {
     const ModelNode& node = model_.nodes[static_cast<std::size_t>(i)];
-    if (!node.pinned && node.motion < 0) sum += node.m * position(state, i).cross(velocity(state, i));
+    if (isFree(node)) sum += node.m * position(state, i).cross(velocity(state, i));
   }
   return sum;
 }

@@ -30,6 +30,9 @@ struct ModelNode {
   double drag = 0.0;      ///< node damping d: F = -d v [kg/s] (slide "Amortiguamiento")
 };
 
+/// Whether nothing holds or moves the node.
+inline bool isFree(const ModelNode& node) { return !node.pinned && node.motion < 0; }
+
 /// F_a = -k (L - L0) n - dRelative (va - vb) - dProjected ((va - vb) . n) n, n = (xa - xb) / L.
 struct ModelSpring {
   int a = 0, b = 1;

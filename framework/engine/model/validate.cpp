@@ -77,8 +77,7 @@ void checkScene(const Model& model) {
     reject("model", fmt::format("plane is ({}, {}); it names two different axes of 0, 1, 2", first, second));
   }
   if (model.nodes.empty()) reject("model", "has no nodes");
-  if (std::none_of(model.nodes.begin(), model.nodes.end(),
-                   [](const ModelNode& node) { return !node.pinned && node.motion < 0; })) {
+  if (std::none_of(model.nodes.begin(), model.nodes.end(), isFree)) {
     reject("model", "all nodes are pinned or moved, so that nothing is left to simulate");
   }
 }
@@ -111,7 +110,7 @@ void checkNodes(const Model& model) {
       reject(item, fmt::format("there is no motion {}; the model has {}", node.motion, model.motions.size()));
     }
     if (node.pinned && node.motion >= 0) reject(item, "is both pinned and moved");
-    if (node.pinned || node.motion >= 0) continue;
+    if (!isFree(node)) continue;
     if (!(node.m > 0.0) || !std::isfinite(node.m) || isDenormal(node.m)) {
       reject(item, fmt::format("mass is {}; a mass is positive and finite", node.m));
     }

@@ -7,7 +7,6 @@
 #include "base/text/nearest.h"
 #include "base/text/printable.h"
 #include "engine/integrators/catalogue.h"
-#include "engine/model/damping.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -184,7 +183,7 @@ void readMotion(const TableReader& table, Scene& scene) {
   }
   for (const int i : selectNodes(table, scene)) {
     ModelNode& node = scene.model.nodes[static_cast<std::size_t>(i)];
-    if (node.pinned || node.motion >= 0) table.failHere(fmt::format("node {} is pinned or moved already", i));
+    if (!isFree(node)) table.failHere(fmt::format("node {} is pinned or moved already", i));
     node.motion = static_cast<int>(scene.model.motions.size());
     scene.model.motions.push_back(startingAt(node.x, about));
   }
