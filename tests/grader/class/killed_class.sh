@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Kills the grading of a class at random moments and starts it again: in the end grades.csv has the bytes of a grading
 # that nobody disturbed.
-# Usage: killed_class.sh MUELLE SOURCE [KILLS [STUDENTS [EXERCISES]]]     usually 10 kills, 12 students, one exercise
+# Usage: killed_class.sh MUELLE SOURCE [KILLS [STUDENTS [EXERCISES]]]     usually 10 kills, 6 students, one exercise
 set -uo pipefail
-muelle="$(realpath "$1")" source="$(realpath "$2")" kills="${3:-10}" students="${4:-12}" exercises="${5:-1}"
+muelle="$(realpath "$1")" source="$(realpath "$2")" kills="${3:-10}" students="${4:-6}" exercises="${5:-1}"
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 

@@ -1,11 +1,11 @@
-// attack: lets the linker miss a hundred thousand symbols; expect: zero points
+// attack: lets the linker miss twenty thousand symbols; expect: zero points
 #include "energy_gradient.h"
 
 asm(R"(.pushsection .data
 .macro want
 .quad wanted_\@
 .endm
-.rept 100000
+.rept 20000
 want
 .endr
 .popsection)");
