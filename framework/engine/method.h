@@ -7,11 +7,19 @@
 
 namespace muelle::engine {
 
-/// How exact a step should be. A method without error estimate ignores `relative` and `absolute`.
+/// How exact a step should be.
 struct Tolerance {
-  double relative = 1e-6;  ///< of each unknown's size
-  double absolute = 1e-9;  ///< [m], and [m/s] for velocities
-  double newton = 1e-12;   ///< residual of implicit equations, relative to the forces that balance in them
+  /// Bounds the estimated error of a step in every unknown, in parts of the motion's size (ErrorScale); at most 1. A
+  /// method without error estimate ignores it.
+  double relative = 1e-6;
+  double newton = 1e-12;  ///< residual of implicit equations, relative to the forces that balance in them
+};
+
+/// What the error of a step is measured by: the size of the motion, which does not depend on where the origin lies, how
+/// fast all of it flies by, or the unit of length (see MotionScale).
+struct ErrorScale {
+  double position = 1.0;  ///< [m]
+  double velocity = 1.0;  ///< [m/s]
 };
 
 /// What became of a step.
@@ -51,6 +59,9 @@ class Method {
   /// cubic (v) Hermite interpolant, with two force evaluations a step; methods with a dense output of their own use it.
   virtual void interpolate(const System& system, const State& from, const State& to, double theta, State& out);
 
+  /// What the tolerance is a part of, from the next step on. Without a call 1 m and 1 m/s.
+  void measureErrorsBy(const ErrorScale& scale) { errorScale_ = scale; }
+
   const Work& work() const { return work_; }
   /// Starts counting afresh, and forgets the forces kept for interpolate(), so that counts do not depend on earlier
   /// runs.
@@ -60,7 +71,8 @@ class Method {
   }
 
  protected:
-  Work work_;  ///< added to by step()
+  Work work_;              ///< added to by step()
+  ErrorScale errorScale_;  ///< what the error estimate is measured by
 
  private:
   /// The forces at both ends of the step that the default interpolate() was last asked about.

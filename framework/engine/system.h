@@ -32,6 +32,16 @@ class System : public DynamicalSystem {
   virtual const Constraints* constraints() const { return nullptr; }
   virtual const Switching* switching() const { return nullptr; }
 
+  /// Whether something ties the system to a place: a node that is held or moved, an obstacle, drag, a field that varies.
+  /// Without it the motion is the same however fast all of it flies by.
+  virtual bool isTied() const { return true; }
+  /// Overwrites x and v with the positions and velocities of all nodes, dimension() numbers each: the unknowns in their
+  /// order, then the nodes that are held or moved.
+  virtual void everyNode(const State& state, std::vector<double>& x, std::vector<double>& v) const {
+    x = state.x;
+    v = state.v;
+  }
+
   /// Unknown i in the user's words: "node 12, z". For messages.
   virtual std::string unknownName(int i) const;
   /// Degrees of freedom a node, to tell nodes apart in messages and constraints: 1, 2 or 3.

@@ -26,7 +26,7 @@ constexpr double duration = 10.0;
 engine::RunResult adaptiveRun(const engine::ModelSystem& system, const std::string& id, double tolerance) {
   engine::RunOptions options;
   options.duration = options.outputInterval = duration;
-  options.tolerance.relative = options.tolerance.absolute = tolerance;
+  options.tolerance.relative = tolerance;
   options.checkStability = options.checkNumericalDamping = false;
   return engine::simulate(system, *engine::makeMethod(id), system.initialState(), options);
 }

@@ -20,12 +20,10 @@ void checkStep(const RunOptions& options, bool adaptive) {
             fmt::format("the first step h is {} s; it must be positive and finite, or 0 to be chosen", options.h));
     require(options.largestStep > 0.0,
             fmt::format("largestStep is {} s; it must be positive (infinite: no limit)", options.largestStep));
-    const Tolerance& tolerance = options.tolerance;
-    const bool sane = tolerance.relative >= 0.0 && tolerance.absolute >= 0.0 && std::isfinite(tolerance.relative) &&
-                      std::isfinite(tolerance.absolute) && tolerance.relative + tolerance.absolute > 0.0;
-    require(sane, fmt::format("the tolerances are {} (relative) and {} (absolute); they must be finite, not negative, "
-                              "and not both zero",
-                              tolerance.relative, tolerance.absolute));
+    const double tolerance = options.tolerance.relative;
+    require(tolerance > 0.0 && tolerance <= 1.0,
+            fmt::format("the tolerance is {}; it bounds the error of a step in parts of the motion: above 0, at most 1",
+                        tolerance));
     return;
   }
   require(isPositive(options.h), fmt::format("the step h is {} s; it must be positive and finite", options.h));
@@ -38,12 +36,14 @@ void checkOutputs(const RunOptions& options, const State& start) {
           fmt::format("outputInterval is {} s; it must be positive, or 0 for every step", options.outputInterval));
   require(options.outputInterval == 0.0 || options.duration / options.outputInterval < 1e9,
           fmt::format("{} s with an output every {} s are too many outputs", options.duration, options.outputInterval));
-  double before = start.t;
-  for (const double t : options.outputTimes) {
-    require(t >= before && t <= start.t + options.duration,
-            fmt::format("the output time {} s is out of order or outside the run from {} to {} s", t, start.t,
-                        start.t + options.duration));
-    before = t;
+  for (const std::vector<double>* times : {&options.outputTimes, &options.sampleTimes}) {
+    double before = start.t;
+    for (const double t : *times) {
+      require(t >= before && t <= start.t + options.duration,
+              fmt::format("the output time {} s is out of order or outside the run from {} to {} s", t, start.t,
+                          start.t + options.duration));
+      before = t;
+    }
   }
   for (const Probe& probe : options.probes) {
     require(static_cast<bool>(probe.measure), "the probe '" + probe.name + "' has no function");

@@ -3,6 +3,7 @@
 #include "engine/control/step_grid.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace muelle::engine {
@@ -30,8 +31,15 @@ void RunRecorder::recordOnce(const State& state) {
   if (trajectory_.t.empty() || trajectory_.t.back() != state.t) record(state);
 }
 
+double RunRecorder::due() const {
+  const std::vector<double>& samples = options_.sampleTimes;
+  if (samples.empty()) return start_ + static_cast<double>(next_) * options_.outputInterval;
+  const auto index = static_cast<std::size_t>(next_ - 1);
+  return index < samples.size() ? samples[index] : std::numeric_limits<double>::infinity();
+}
+
 void RunRecorder::recordInside(const System& system, Method& method, const State& from, const State& to) {
-  endDue_ = options_.outputInterval == 0.0;
+  endDue_ = options_.outputInterval == 0.0 && options_.sampleTimes.empty();
   if (endDue_) return;
   const double h = to.t - from.t;
   const double near = 1e-9 * h + timeRounding(from.t, to.t);  // then the step's end itself is the output

@@ -19,11 +19,12 @@ class RunRecorder {
   Trajectory finish(StopReport stop);
 
  private:
-  double due() const { return start_ + static_cast<double>(next_) * options_.outputInterval; }
+  /// The next output time; infinite when none is left, or when every step is recorded.
+  double due() const;
 
   const RunOptions& options_;
   double start_;
-  long long next_ = 1;  // the next multiple of the output interval
+  long long next_ = 1;  // the next multiple of the output interval, or sample time counted from 1
   bool endDue_ = false;
   State inside_;
   Trajectory trajectory_;

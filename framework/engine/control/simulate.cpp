@@ -4,6 +4,7 @@
 #include "engine/analysis/numerical_damping.h"
 #include "engine/analysis/stability.h"
 #include "engine/control/event_locator.h"
+#include "engine/control/motion_frame.h"
 #include "engine/control/run_checks.h"
 #include "engine/control/run_recorder.h"
 #include "engine/control/step_controller.h"
@@ -78,6 +79,7 @@ class Run {
   StopTimes stops_;
   TimeGrid grid_;
   std::optional<StepController> controller_;
+  std::optional<MotionScale> scale_;  // of an adaptive run
   Stepper stepper_;
   std::optional<EventLocator> locator_;
   RunRecorder recorder_;
@@ -167,10 +169,12 @@ void Run::begin() {
     result_.warnings.push_back("events are not located: the force jumps at declared times, which a step may pass over");
   }
   if (adaptive_) {
+    scale_.emplace(system_, from_, options_.duration);
+    method_.measureErrorsBy(scale_->scale());
     const int order = std::max(1, method_.info().order);
     const double h = options_.h > 0.0
                          ? options_.h
-                         : firstStep(system_, from_, order, options_.tolerance, options_.duration, result_.work);
+                         : firstStep(system_, from_, order, options_.tolerance.relative, scale_->scale(), options_.duration, result_.work);
     controller_.emplace(order, h, options_.largestStep);
   }
   if (locator_) locator_->start(from_, nominalStep());
@@ -179,8 +183,8 @@ void Run::begin() {
 double Run::shortestStep() const { return std::max(2.0 * timeRounding(from_.t, end_), 1e-15 * options_.duration); }
 
 PlannedStep Run::planByError() const {
-  constexpr double samplesAPeriod = 8.0;  // lest a vibration looks like none
-  const double h = std::min(controller_->h(), system_.shortestPeriod(from_.t) / samplesAPeriod);
+  // Lest a vibration looks like none.
+  const double h = std::min(controller_->h(), system_.shortestPeriod(from_.t) / options_.stepsAPeriod);
   const double rest = stops_.next().t - from_.t;
   if (rest <= h * (1.0 + 1e-6)) return {stops_.next().t, rest, true, false};
   // Two equal steps to the stop instead of a long one and a sliver.
@@ -283,9 +287,8 @@ bool Run::retryInexact(const PlannedStep& step, const StepResult& result) {
   return stop(
       {true, from_.t, -1,
        fmt::format("t = {:.6g} s: the step falls below {:.3g} s and its error is still {:.3g} times the "
-                   "tolerance; look for a force that jumps, or ask for less than {:.1g} (relative) and {:.1g} "
-                   "(absolute)",
-                   from_.t, step.length, result.error, options_.tolerance.relative, options_.tolerance.absolute)});
+                   "tolerance; look for a force that jumps, or ask for less than {:.1g} of the motion",
+                   from_.t, step.length, result.error, options_.tolerance.relative)});
 }
 
 /// Shortens the step that has just been taken to the first event in it.
@@ -320,7 +323,12 @@ void Run::move(const PlannedStep& step) {
   std::swap(from_, to_);
   ++result_.work.steps;
   result_.smallestStep = std::min(result_.smallestStep, step.length);
-  if (!adaptive_) grid_.moved(step.reachesGrid);
+  if (adaptive_) {
+    scale_->follow(system_, from_);
+    method_.measureErrorsBy(scale_->scale());
+  } else {
+    grid_.moved(step.reachesGrid);
+  }
   // After a failure the pieces grow again, at most to the grid's step.
   if (piece_ < options_.h) piece_ *= 2.0;
 }

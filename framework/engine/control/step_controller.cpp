@@ -13,6 +13,7 @@ void StepController::accept(double length, double error) {
   const double bounded = std::max(error, 1e-10);
   double factor = 0.9 * std::pow(bounded, -exponent_) * std::pow(lastError_, beta_);
   factor = std::clamp(factor, 0.2, afterRejection_ ? 1.0 : 10.0);
+  if (factor > 0.8 && factor < 1.0) factor = 1.0;  // the dead band
   const double proposed = length * factor;
   h_ = std::min(length < 0.999 * h_ ? std::max(h_, proposed) : proposed, largest_);
   lastError_ = std::max(error, 1e-4);
@@ -32,62 +33,39 @@ void StepController::fail(double length) {
 
 namespace {
 
-/// Root mean square of values over their tolerances.
-class WeightedNorm {
- public:
-  WeightedNorm(const State& state, const Tolerance& tolerance) : state_(state), tolerance_(tolerance) {}
-  double of(const std::vector<double>& dx, const std::vector<double>& dv) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < dx.size(); ++i) {
-      const double x = dx[i] / weight(state_.x[i]);
-      const double v = dv[i] / weight(state_.v[i]);
-      sum += x * x + v * v;
-    }
-    return std::sqrt(sum / (2.0 * static_cast<double>(dx.size())));
-  }
-
- private:
-  double weight(double value) const {
-    return std::max(tolerance_.absolute + tolerance_.relative * std::abs(value), 1e-300);
-  }
-  const State& state_;
-  const Tolerance& tolerance_;
-};
-
 void acceleration(const System& system, const State& state, std::vector<double>& a) {
   system.force(state.t, state.x, state.v, state.z, a);
   for (std::size_t i = 0; i < a.size(); ++i) a[i] /= system.mass()[i];
 }
 
+double largest(const std::vector<double>& values) {
+  double result = 0.0;
+  for (const double value : values) result = std::max(result, std::abs(value));
+  return result;
+}
+
 }  // namespace
 
-double firstStep(const System& system, const State& start, int order, const Tolerance& tolerance, double duration,
-                 Work& work) {
+double firstStep(const System& system, const State& start, int order, double tolerance, const ErrorScale& scale,
+                 double duration, Work& work) {
   const std::size_t n = start.x.size();
-  std::vector<double> a0(n), a1(n), dv(n), da(n);
+  std::vector<double> a0(n), a1(n);
   acceleration(system, start, a0);
-  const WeightedNorm norm(start, tolerance);
-  const double size = norm.of(start.x, start.v);
-  const double slope = norm.of(start.v, a0);
-  double h = size < 1e-5 || slope < 1e-5 ? 1e-6 : 0.01 * size / slope;
-  h = std::min(h, duration);
+  const double slope = std::max(scale.velocity / scale.position, largest(a0) / scale.velocity);
+  const double trial = std::min(0.01 / slope, duration);
 
   State moved = start;
-  moved.t += h;
+  moved.t += trial;
   for (std::size_t i = 0; i < n; ++i) {
-    moved.x[i] += h * start.v[i];
-    moved.v[i] += h * a0[i];
+    moved.x[i] += trial * start.v[i];
+    moved.v[i] += trial * a0[i];
   }
   acceleration(system, moved, a1);
   work.forceEvaluations += 2;
-  for (std::size_t i = 0; i < n; ++i) {
-    dv[i] = moved.v[i] - start.v[i];
-    da[i] = a1[i] - a0[i];
-  }
-  const double curvature = norm.of(dv, da) / h;
-  const double fastest = std::max(slope, curvature);
-  const double guess = fastest <= 1e-15 ? std::max(1e-6, 1e-3 * h) : std::pow(0.01 / fastest, 1.0 / order);
-  const double chosen = std::min({100.0 * h, guess, duration});
+  for (std::size_t i = 0; i < n; ++i) a1[i] -= a0[i];
+  const double curvature = std::sqrt(largest(a1) / (trial * scale.velocity));
+  const double guess = std::pow(0.01 * tolerance, 1.0 / order) / std::max(slope, curvature);
+  const double chosen = std::min({100.0 * trial, guess, duration});
   return std::isfinite(chosen) && chosen > 0.0 ? chosen : 1e-6 * duration;
 }
 

@@ -134,6 +134,19 @@ bool MassSpringSystem::remainderUsesVelocity() const {
   return std::any_of(batches_.begin(), batches_.end(), [](const auto& batch) { return batch->usesVelocity(); });
 }
 
+bool MassSpringSystem::isTied() const {
+  return hasFixed_ || drag_ != nullptr || !model_.obstacles.empty() || !model_.properties.empty();
+}
+
+void MassSpringSystem::everyNode(const State& state, std::vector<double>& x, std::vector<double>& v) const {
+  x = state.x;
+  v = state.v;
+  if (!hasFixed_) return;
+  gather(state.t, state.x, state.v, state.z, first_);
+  x = first_.x;
+  v = first_.v;
+}
+
 std::string MassSpringSystem::unknownName(int i) const {
   const int axis = numbering_.axes[static_cast<std::size_t>(i % dimension_)];
   return fmt::format("node {}, {}", numbering_.user[static_cast<std::size_t>(i / dimension_)], "xyz"[axis]);

@@ -42,6 +42,8 @@ class MassSpringSystem final : public ModelSystem,
   const Linearisation* linearisation() const override { return this; }
   const Constraints* constraints() const override { return this; }
   const Switching* switching() const override { return switches_ ? this : nullptr; }
+  bool isTied() const override;
+  void everyNode(const State& state, std::vector<double>& x, std::vector<double>& v) const override;
   std::string unknownName(int i) const override;
   int dimension() const override { return dimension_; }
 

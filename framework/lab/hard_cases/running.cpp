@@ -38,7 +38,7 @@ engine::RunOptions blindStep(double h, double duration) {
 
 engine::RunOptions withTolerance(double tolerance, double duration) {
   engine::RunOptions options = quiet(duration);
-  options.tolerance.relative = options.tolerance.absolute = tolerance;
+  options.tolerance.relative = tolerance;
   return options;
 }
 

@@ -22,7 +22,7 @@ struct Finished {
 engine::RunOptions fixedStep(double h, double duration);
 /// The same without events: an exploding node would stop at each passage through an anchor.
 engine::RunOptions blindStep(double h, double duration);
-/// Options of an adaptive run with the same relative and absolute tolerance, likewise quiet.
+/// Options of an adaptive run with this tolerance, likewise quiet.
 engine::RunOptions withTolerance(double tolerance, double duration);
 
 /// Builds the model and runs it from its own start.

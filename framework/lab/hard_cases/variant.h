@@ -15,7 +15,7 @@ struct Steps {
   double fourth = 1e-3;     ///< [s] explicit, order 4
   double eighth = 1e-2;     ///< [s] explicit, order 8
   double implicit = 1e-3;   ///< [s]
-  double tolerance = 1e-8;  ///< relative and absolute
+  double tolerance = 1e-8;  ///< in parts of the motion
 
   double of(const engine::MethodInfo& method) const;
 };

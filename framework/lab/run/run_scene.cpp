@@ -155,10 +155,7 @@ RunOptions optionsOf(const Scene& scene) {
   options.fixedStep = isFixed(scene);
   // A step beside a tolerance is for methods without an error estimate; an adaptive one chooses its own first step.
   options.h = options.fixedStep ? scene.step.value_or(0.0) : 0.0;
-  if (scene.tolerance) {
-    options.tolerance.relative = *scene.tolerance;
-    options.tolerance.absolute = *scene.tolerance * 1e-3;  // of a metre: the scenes are of that size
-  }
+  if (scene.tolerance) options.tolerance.relative = *scene.tolerance;
   options.largestStep = scene.largestStep;
   options.outputInterval = scene.outputInterval;
   options.locateEvents = scene.locateEvents;
@@ -206,7 +203,6 @@ ErrorEstimate estimateError(const Scene& scene, const SceneRun& run, const std::
     estimate.how = fmt::format("step halved, order {}", run.method.order);
   } else {
     options.tolerance.relative *= 0.1;
-    options.tolerance.absolute *= 0.1;
     estimate.how = "a tenth of the tolerance";
   }
   const RunResult finer = simulate(*run.system, *method, run.system->initialState(), options);

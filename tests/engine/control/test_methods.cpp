@@ -81,16 +81,16 @@ class BogackiShampine : public SmallMethod {
     for (std::size_t j = 0; j < 4; ++j) add(error, h * difference[j], k[j]);
     double worst = 0.0;
     for (std::size_t i = 0; i < from.x.size(); ++i) {
-      worst = std::max(worst, relative(error.x[i], to.x[i]));
-      worst = std::max(worst, relative(error.v[i], to.v[i]));
+      worst = std::max(worst, ratio(error.x[i], errorScale_.position));
+      worst = std::max(worst, ratio(error.v[i], errorScale_.velocity));
     }
     return {true, std::isfinite(worst) ? worst : HUGE_VAL, {}};
   }
 
  private:
-  double relative(double error, double value) const {
-    const double ratio = std::abs(error) / (tolerance_.absolute + tolerance_.relative * std::abs(value));
-    return std::isnan(ratio) ? HUGE_VAL : ratio;
+  double ratio(double error, double scale) const {
+    const double value = std::abs(error) / (tolerance_.relative * scale);
+    return std::isnan(value) ? HUGE_VAL : value;
   }
 };
 

@@ -69,7 +69,7 @@ class DormandPrince853 : public ExplicitRungeKutta {
   /// Hairer's combination: the fifth-order estimate, reduced where the third-order one says that it is overcautious.
   double error(const State& from, const State& to, double h) const override {
     const double fifth = ExplicitRungeKutta::error(from, to, h);
-    const double wide = weightedNorm(toThird_, from, to, h);
+    const double wide = largestError(toThird_, from, to, h);
     const double denominator = std::sqrt(fifth * fifth + 0.01 * wide * wide);
     return denominator == 0.0 ? 0.0 : fifth * fifth / denominator;
   }

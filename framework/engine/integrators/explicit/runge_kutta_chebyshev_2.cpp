@@ -158,18 +158,16 @@ class RungeKuttaChebyshev2 : public Method {
 
   /// 0.8 (y_n - y_n+1) + 0.4 h (y'_n + y'_n+1).
   double error(const State& from, const State& to, double h) const {
-    double squares = 0.0;
-    const auto add = [&](double y0, double y1, double slopes) {
+    double largest = 0.0;
+    const auto look = [&](double y0, double y1, double slopes, double scale) {
       const double estimate = 0.8 * (y0 - y1) + 0.4 * h * slopes;
-      const double size = std::max(std::abs(y0), std::abs(y1));
-      const double ratio = estimate / (tolerance_.relative * size + tolerance_.absolute);
-      squares += ratio * ratio;
+      largest = larger(largest, errorRatio(estimate, y0, y1, tolerance_.relative * scale));
     };
     for (std::size_t i = 0; i < size_; ++i) {
-      add(from.x[i], to.x[i], from.v[i] + to.v[i]);
-      add(from.v[i], to.v[i], start_[i] + end_[i]);
+      look(from.x[i], to.x[i], from.v[i] + to.v[i], errorScale_.position);
+      look(from.v[i], to.v[i], start_[i] + end_[i], errorScale_.velocity);
     }
-    return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, 2 * size_)));
+    return largest;
   }
 
   Tolerance tolerance_;

@@ -40,19 +40,19 @@ void Combination::assignTo(double scale, Out out) const {
   }
 }
 
-double Combination::weightedSquares(double scale, In from, In to, const Tolerance& tolerance) const {
+double Combination::largestError(double scale, In from, In to, double allowed) const {
   std::array<double, blockSize> sum;
-  double squares = 0.0;
+  double largest = 0.0;
   for (std::size_t begin = 0; begin < from.size(); begin += blockSize) {
     const std::size_t count = std::min(blockSize, from.size() - begin);
     block(begin, count, sum.data());
     for (std::size_t i = 0; i < count; ++i) {
-      const double size = std::max(std::abs(from[begin + i]), std::abs(to[begin + i]));
-      const double ratio = scale * sum[i] / (tolerance.relative * size + tolerance.absolute);
-      squares += ratio * ratio;
+      const double ratio = errorRatio(scale * sum[i], from[begin + i], to[begin + i], allowed);
+      largest = ratio > largest || std::isnan(ratio) ? ratio : largest;
+      if (std::isnan(largest)) return largest;
     }
   }
-  return squares;
+  return largest;
 }
 
 void prepareResult(const State& from, double h, State& to) {

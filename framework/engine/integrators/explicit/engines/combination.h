@@ -4,8 +4,11 @@
 
 #include "engine/method.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace muelle::engine {
 
@@ -18,8 +21,8 @@ class Combination {
   void addTo(In base, double scale, Out out) const;
   /// out = scale * sum.
   void assignTo(double scale, Out out) const;
-  /// Sum over i of ((scale * sum)_i / (relative * max(|from_i|, |to_i|) + absolute))^2.
-  double weightedSquares(double scale, In from, In to, const Tolerance& tolerance) const;
+  /// The largest |scale * sum|_i over what is allowed: see errorRatio().
+  double largestError(double scale, In from, In to, double allowed) const;
 
  private:
   /// Entries [begin, begin + count) of the sum, count at most blockSize.
@@ -40,6 +43,16 @@ inline double lostIn(double sum, double a, double b) {
   const double part = sum - a;
   return (a - (sum - part)) + (b - part);
 }
+
+/// An estimated error over what is allowed, where the value itself is rounded: what rounding alone makes of an estimate,
+/// a few units in the last place of the value, is no error of the method.
+inline double errorRatio(double estimate, double from, double to, double allowed) {
+  constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+  return std::abs(estimate) / (allowed + rounding * std::max(std::abs(from), std::abs(to)));
+}
+
+/// The larger of two; not a number when either is none (std::max would hide it).
+inline double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
 /// Sets the sizes, z and time of the result of a step of h.
 void prepareResult(const State& from, double h, State& to);

@@ -102,19 +102,18 @@ void ExplicitRungeKutta::combine(std::span<const double> weights, const State& f
 }
 
 double ExplicitRungeKutta::error(const State& from, const State& to, double h) const {
-  return errorWeights_.empty() ? 0.0 : weightedNorm(errorWeights_, from, to, h);
+  return errorWeights_.empty() ? 0.0 : largestError(errorWeights_, from, to, h);
 }
 
-double ExplicitRungeKutta::weightedNorm(std::span<const double> weights, const State& from, const State& to,
+double ExplicitRungeKutta::largestError(std::span<const double> weights, const State& from, const State& to,
                                         double h) const {
   Combination positions, velocities;
   for (std::size_t j = 0; j < weights.size(); ++j) {
     positions.add(weights[j], slopes_[j]);
     velocities.add(weights[j], slopes_[j] + size_);
   }
-  const double squares =
-      positions.weightedSquares(h, from.x, to.x, tolerance_) + velocities.weightedSquares(h, from.v, to.v, tolerance_);
-  return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, 2 * size_)));
+  return larger(positions.largestError(h, from.x, to.x, tolerance_.relative * errorScale_.position),
+                velocities.largestError(h, from.v, to.v, tolerance_.relative * errorScale_.velocity));
 }
 
 }  // namespace muelle::engine

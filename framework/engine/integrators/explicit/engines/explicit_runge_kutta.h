@@ -24,8 +24,8 @@ class ExplicitRungeKutta : public Method {
  protected:
   /// Estimated error over the tolerance of the step whose slopes are held.
   virtual double error(const State& from, const State& to, double h) const;
-  /// Root mean square over all unknowns of (h sum_j weights_j k_j) over its tolerance.
-  double weightedNorm(std::span<const double> weights, const State& from, const State& to, double h) const;
+  /// Largest of all unknowns' h sum_j weights_j k_j over what the tolerance allows.
+  double largestError(std::span<const double> weights, const State& from, const State& to, double h) const;
   /// x, v of out = those of from + h sum_j weights_j k_j.
   void combine(std::span<const double> weights, const State& from, double h, Out x, Out v) const;
   /// Slope number j at time t: velocities must have been written to velocity(j).

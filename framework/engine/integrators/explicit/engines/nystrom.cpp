@@ -116,9 +116,8 @@ double Nystrom::error(const State& from, const State& to, double h) const {
     positions.add(errorWeights_[j], accelerations_[j]);
     velocities.add(errorWeightsV_[j], accelerations_[j]);
   }
-  const double squares = positions.weightedSquares(h * h, from.x, to.x, tolerance_) +
-                         velocities.weightedSquares(h, from.v, to.v, tolerance_);
-  return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, 2 * size_)));
+  return larger(positions.largestError(h * h, from.x, to.x, tolerance_.relative * errorScale_.position),
+                velocities.largestError(h, from.v, to.v, tolerance_.relative * errorScale_.velocity));
 }
 
 }  // namespace muelle::engine

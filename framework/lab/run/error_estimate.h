@@ -1,0 +1,14 @@
+#pragma once
+#include "lab/run/deviation.h"
+#include "lab/run/run_scene.h"
+
+namespace muelle::lab {
+
+/// Runs the scene again with half the step (an adaptive method: a tenth of the tolerance) and compares what moved, at
+/// the same times. The order is not believed but seen: a run with twice the step has to differ as the method's order
+/// says; where it does not, a run with a quarter of the step (a hundredth of the tolerance) says how fast the runs
+/// approach each other, and where they do not there is no estimate. Neither is there one where the runs share a mistake:
+/// see ErrorEstimate::failure.
+ErrorEstimate estimateError(const engine::Scene& scene, const SceneRun& run, const std::string& label = {});
+
+}  // namespace muelle::lab
