@@ -7,6 +7,7 @@
 
 #include <array>
 #include <Eigen/SparseCore>
+#include <limits>
 #include <vector>
 
 namespace muelle::engine {
@@ -123,6 +124,12 @@ class Switching {
   virtual bool commit(State& state, bool frozen) const = 0;
   /// Called with a located event: sets the mode of guard i to the far side of the crossing.
   virtual void cross(int guard, State& state) const = 0;
+  /// Sets z as if what may close were closed: every one-sided spring, and each obstacle on a node that it would shake
+  /// fastest, the lightest, the nearest of these. For a look at the stiffest that the force may become.
+  virtual void close(State& /*state*/) const {}
+  /// The shortest time [s] that a node would take to bounce off something that it does not touch in this state, half a
+  /// period of its contact; infinite where there is nothing such.
+  virtual double shortestBounce(const State& /*state*/) const { return std::numeric_limits<double>::infinity(); }
   /// The largest part of h in which no node can pass through an obstacle from this state (swept test, with the
   /// present acceleration); h when nothing is near.
   virtual double sweptBound(double t, In x, In v, In z, double h) const = 0;

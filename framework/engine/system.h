@@ -32,8 +32,8 @@ class System : public DynamicalSystem {
   virtual const Constraints* constraints() const { return nullptr; }
   virtual const Switching* switching() const { return nullptr; }
 
-  /// Whether something ties the system to a place: a node that is held or moved, an obstacle, drag, a field that varies.
-  /// Without it the motion is the same however fast all of it flies by.
+  /// Whether something ties the system to a place: a node that is held or moved, an obstacle, drag, a field that
+  /// varies. Without it the motion is the same however fast all of it flies by.
   virtual bool isTied() const { return true; }
   /// Overwrites x and v with the positions and velocities of all nodes, dimension() numbers each: the unknowns in their
   /// order, then the nodes that are held or moved.

@@ -7,6 +7,8 @@
 #include "base/text/printable.h"
 #include "engine/integrators/catalogue.h"
 #include "figures/write.h"
+#include "lab/run/energy_balance.h"
+#include "lab/run/error_estimate.h"
 #include "lab/run/run_scene.h"
 #include "lab/run/scene_figures.h"
 
@@ -81,10 +83,14 @@ int run(const Command& command) {
   }
   fmt::print("{}", summaryOf(scene, result));
   writeResults(command, scene, result);
-  if (!result.result.failed()) return 0;
   std::fflush(stdout);
-  fmt::print(stderr, "muelle: {}: {}\n", scene.name, muelle::printableLine(result.result.trajectory.stop.message));
-  return 1;
+  const EnergyBalance balance = energyBalance(scene, result);
+  if (result.result.failed()) {
+    fmt::print(stderr, "muelle: {}: {}\n", scene.name, muelle::printableLine(result.result.trajectory.stop.message));
+  } else if (balance.fails()) {
+    fmt::print(stderr, "muelle: {}: {}\n", scene.name, energyFailure(balance));
+  }
+  return result.result.failed() || balance.fails() ? 1 : 0;
 }
 
 int parseAndRun(int argc, char** argv) {
@@ -103,7 +109,7 @@ int parseAndRun(int argc, char** argv) {
       .oneOf({"on", "off"});
   program.flag("--compensated", command.overrides.compensated, "Compensated summation, for long runs");
   program.flag("--no-error-estimate", command.noErrorEstimate,
-               "Leave out the second run, with half the step, that costs twice the first");
+               "Leave out the runs with other steps, which cost two to seven times the first");
   program.flag("--plot", command.plot, "Draw energy, outputs, shape and paths");
   program.flag("--csv", command.csv, "Write the trajectory as a table, nodes as the scene numbers them");
   program.option("--out", command.out, "Folder for figures and table [out/SCENE]");
@@ -113,7 +119,7 @@ int parseAndRun(int argc, char** argv) {
   program.renamed("--dt", "--step SECONDS");
   program.renamed("--no-events", "--events off");
   program.footer(
-      "Exit code: 0 done; 1 the run failed before its end; 2 bad usage or input.\n"
+      "Exit code: 0 done; 1 the run failed before its end, or gained energy that nothing gives; 2 bad usage or input.\n"
       "Examples: ./muelle run oscillator --plot\n"
       "          ./muelle run corner_hung_cloth --method velocity_verlet --step 1e-4\n"
       "          ./muelle run elastic_pendulum --method dop853 --tolerance 1e-12 --csv --out results\n"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 namespace muelle::engine {
 
@@ -89,6 +90,34 @@ double Amplification::growthWithMemory() {
   const double before = std::max(middle[0], middle[1]), after = std::max(end[0], end[1]);
   if (!(before > 1e-290)) return 0.0;  // has died out
   return std::pow(after / before, 2.0 / steps);
+}
+
+double Amplification::energySwing(double z) {
+  if (!(z > 0.0) || growth(z * z, 0.0) > 1.0 + roundingGrowth) return 1.0;
+  constexpr int steps = 400;  // enough for every phase to come by
+  // The columns are runs from all energy in the spring and all in the motion; in coordinates (z x, v) the energy is
+  // half the square of the length, and the most that a step's matrix makes of it is its largest singular value squared.
+  std::array<State, 2> at = {unitState(0), unitState(1)};
+  at[0].x[0] /= z;
+  double most = 1.0;
+  std::array<std::vector<std::array<double, 2>>, 2> columns;
+  for (int j = 0; j < 2; ++j) {
+    State from = at[static_cast<std::size_t>(j)], to = from;
+    method_.restart();
+    for (int n = 0; n < steps; ++n) {
+      if (!method_.step(oscillator_, from, 1.0, to).done) return 1.0;
+      method_.accept();
+      std::swap(from, to);
+      columns[static_cast<std::size_t>(j)].push_back({z * from.x[0], from.v[0]});
+    }
+  }
+  for (std::size_t n = 0; n < static_cast<std::size_t>(steps); ++n) {
+    const auto& p = columns[0][n];
+    const auto& q = columns[1][n];
+    const double a = p[0] * p[0] + p[1] * p[1], b = p[0] * q[0] + p[1] * q[1], c = q[0] * q[0] + q[1] * q[1];
+    most = std::max(most, 0.5 * (a + c) + std::hypot(0.5 * (a - c), b));
+  }
+  return most;
 }
 
 double Amplification::imaginaryLimit(double most) {

@@ -20,6 +20,12 @@ class Amplification {
   /// Largest h omega without growth on an undamped oscillator; infinite beyond `most`, 0 when it grows from the
   /// smallest steps on.
   double imaginaryLimit(double most = 1e3);
+  /// How far the energy of an undamped oscillator rises above that at its start, at most, whatever its phase: the
+  /// factor by which the energy that the method keeps may differ from the true one. Velocity Verlet 1 / (1 - (h
+  /// omega)^2 / 4), symplectic Euler (1 + h omega / 2) / (1 - h omega / 2); 1 for a method that grows, which keeps
+  /// none. \param z  h omega
+  double energySwing(double z);
+
   /// Largest h c without growth on v' = -c v (a damping that the method takes as any force); as above.
   double realLimit(double most = 1e4);
 

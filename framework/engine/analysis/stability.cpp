@@ -61,6 +61,12 @@ std::string sentenceOf(const StabilityReport& report, const MethodInfo& method) 
   return fmt::format("{} is stable here up to h = {:.6g} s; {} sets the limit", method.name, report.largestStep, mode);
 }
 
+/// The state with everything closed that may close.
+State closed(const System& system, State state) {
+  if (system.switching() != nullptr) system.switching()->close(state);
+  return state;
+}
+
 /// Whether the method is known to be stable with every step.
 bool isUnconditional(const MethodInfo& method) {
   return method.stability == Stability::AStable || method.stability == Stability::LStable;
@@ -90,12 +96,12 @@ StabilityReport report(const System& system, Method& method, const std::vector<M
 
 StabilityReport stability(const System& system, Method& method, const State& state) {
   if (isUnconditional(method.info())) return report(system, method, {});
-  return report(system, method, cleanModes(LinearisedSystem(system, state)));
+  return report(system, method, cleanModes(LinearisedSystem(system, closed(system, state))));
 }
 
 std::string instabilityWarning(const System& system, Method& method, const State& state, double h, double steps) {
   if (isUnconditional(method.info())) return {};
-  const std::vector<Mode> modes = cleanModes(LinearisedSystem(system, state));
+  const std::vector<Mode> modes = cleanModes(LinearisedSystem(system, closed(system, state)));
   Amplification amplification(method);
   double worst = 1.0;
   for (const Mode& mode : modes) {
@@ -105,6 +111,19 @@ std::string instabilityWarning(const System& system, Method& method, const State
   if (!(worst > 1.0 + roundingGrowth) || steps * std::log(worst) < std::log(10.0)) return {};
   return fmt::format("h = {:.4g} s is unstable, growing {:.4g} times a step: {}", h, worst,
                      report(system, method, modes).sentence);
+}
+
+std::string lateInstabilityWarning(const System& system, const MethodInfo& method, const State& state, double h) {
+  if (isUnconditional(method) || !(method.imaginaryLimit > 0.0) || std::isinf(method.imaginaryLimit)) return {};
+  Mode fastest;
+  for (const Mode& mode : cleanModes(LinearisedSystem(system, state))) {
+    if (mode.stiffness > fastest.stiffness) fastest = mode;
+  }
+  if (fastest.unknown < 0 || h * fastest.frequency() <= method.imaginaryLimit) return {};
+  return fmt::format(
+      "t = {:.6g} s: h = {:.4g} s is unstable from here on: {} is stable up to h = {:.6g} s; {} sets the limit",
+      state.t, h, method.name, method.imaginaryLimit / fastest.frequency(),
+      describe(fastest, system.unknownName(fastest.unknown)));
 }
 
 }  // namespace muelle::engine

@@ -16,6 +16,9 @@ struct StabilityReport {
   std::string sentence;  ///< the same for people
 };
 
+/// What may close counts as closed: contacts and one-sided springs (see Switching::close()). The limit holds for the
+/// whole of a run that begins in `state`, as far as one can tell there.
+///
 /// The supremum of the steps h without growth over the extreme modes of the coupled stiffness and damping (Krylov
 /// estimates, see extremeModes()), from the method's own steps on each mode (see Amplification). Modes of negative
 /// stiffness grow by their physics and set no limit.
@@ -29,5 +32,9 @@ StabilityReport stability(const System& system, Method& method, const State& sta
 /// What a step of h does: one sentence with the limit when, over `steps` steps, an unstable mode grows tenfold or more;
 /// empty otherwise. Cheaper than stability() when all is well. `method` as above.
 std::string instabilityWarning(const System& system, Method& method, const State& state, double h, double steps);
+
+/// The same during a run, where modes have switched on: by the method's known limit of h omega on undamped modes, so
+/// that the method itself is left alone. Empty where it has none.
+std::string lateInstabilityWarning(const System& system, const MethodInfo& method, const State& state, double h);
 
 }  // namespace muelle::engine

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace muelle::engine {
 
@@ -325,6 +327,58 @@ bool Contact<D, Shape>::balance(const Configuration& at, const double* f, double
   }
   atRest_.clear();
   return any;
+}
+
+template <int D, class Shape>
+bool Contact<D, Shape>::isTouched(const Configuration& at) const {
+  for (int i = 0; i < nodes(); ++i) {
+    if (meet(i, at).acts) return true;
+  }
+  return false;
+}
+
+/// The lightest node that does not touch yet, the nearest of these; nodes that touch stay as they are.
+template <int D, class Shape>
+void Contact<D, Shape>::close(const Configuration& at, double* z) const {
+  int chosen = -1;
+  double mass = 0.0, gap = 0.0;
+  for (int i = 0; i < nodes(); ++i) {
+    const Meeting m = meet(i, at);
+    const double own = masses_[static_cast<std::size_t>(i)];
+    if (chosen >= 0 && (own > mass || (own == mass && m.touch.gap >= gap))) continue;
+    chosen = i;
+    mass = own;
+    gap = m.touch.gap;
+  }
+  if (chosen < 0 || meet(chosen, at).acts) return;
+  double* mine = own(chosen, z);
+  if constexpr (Shape::hasFaces) mine[faceAt] = shape_.face(relativePosition(chosen, at));
+  mine[0] = mode::closed;
+  if (!hasFriction()) return;
+  mine[gripAt] = sticks;
+  Eigen::Map<Vector>(mine + anchorAt) = relativePosition(chosen, at);
+}
+
+template <int D, class Shape>
+double Contact<D, Shape>::shortestBounce(const Configuration& at) const {
+  if (obstacle_.k <= 0.0 || masses_.empty() || isTouched(at)) return std::numeric_limits<double>::infinity();
+  const double lightest = *std::min_element(masses_.begin(), masses_.end());
+  return std::numbers::pi * std::sqrt(lightest / obstacle_.k);
+}
+
+template <int D, class Shape>
+double Contact<D, Shape>::anchorEnergy(const Configuration& at) const {
+  if (!hasFriction()) return 0.0;
+  double sum = 0.0;
+  for (int i = 0; i < nodes(); ++i) {
+    const Meeting m = meet(i, at);
+    const double* mine = own(i, at.z);
+    if (!m.acts || mine[gripAt] == apart) continue;
+    const Vector xi = m.r - Eigen::Map<const Vector>(mine + anchorAt);
+    const double along = xi.squaredNorm() - std::pow(m.touch.normal.dot(xi), 2);
+    sum += 0.5 * obstacle_.slider.k * std::max(along, 0.0);
+  }
+  return sum;
 }
 
 template <int D, class Shape>

@@ -78,6 +78,9 @@ class Contact final : public ForceBatch {
   bool balance(const Configuration& at, const double* f, double* z) const override;
   void addForceWithoutFriction(const Configuration& at, double* f) const override;
   void cross(int guard, const Configuration& at, double* z) const override;
+  void close(const Configuration& at, double* z) const override;
+  double shortestBounce(const Configuration& at) const override;
+  double anchorEnergy(const Configuration& at) const override;
   bool isThin() const override { return std::isfinite(shape_.thickness()); }
   double sweptBound(const Configuration& at, const double* a, double h) const override;
 
@@ -104,6 +107,7 @@ class Contact final : public ForceBatch {
   static constexpr int anchorAt = gripAt + 1;
 
   bool stopped(const Configuration& at) const;
+  bool isTouched(const Configuration& at) const;
   Vector relativePosition(int node, const Configuration& at) const;
   Meeting meet(int node, const Configuration& at) const;
   double normalForce(const Meeting& m, double mode) const;

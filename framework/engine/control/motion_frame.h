@@ -30,8 +30,8 @@ class MotionFrame {
 };
 
 /// What the errors of an adaptive method are measured by as its run goes on: the largest |y| so far, at least a
-/// thousandth of the extent, and the largest |v - V| so far, at least the former over the duration. Where both are 0 (one
-/// node that starts from rest) they are what the first acceleration makes of the duration; where nothing acts, 1.
+/// thousandth of the extent, and the largest |v - V| so far, at least the former over the duration. Where both are 0
+/// (one node that starts from rest) they are what the first acceleration makes of the duration; where nothing acts, 1.
 class MotionScale {
  public:
   /// \param duration of the run [s]

@@ -26,6 +26,7 @@ namespace {
 
 constexpr int mostRetries = 30;
 constexpr std::size_t mostKeptEvents = 10'000;
+constexpr int mostLooks = 3;       // at the stability during a run
 constexpr int mostCrossings = 20;  // of one guard within a step
 
 std::vector<double> declaredTimes(const System& system, double from, double to) {
@@ -42,6 +43,8 @@ class Run {
 
  private:
   void warnBefore();
+  void warnOfBounces();
+  void lookAtStabilityAgain();
   void begin();
   bool advance();
   PlannedStep plan() const;
@@ -92,6 +95,8 @@ class Run {
   double windowStart_ = 0.0;
   double liveUntil_ = 0.0;  // after chatter: events are not located before this time
   bool warnedOfChatter_ = false;
+  int looks_ = 0;  // at the stability, after modes have switched
+  bool warnedOfInstability_ = false;
   bool warnedOfCuts_ = false;
   bool warnedOfFailures_ = false;
 };
@@ -141,12 +146,33 @@ void Run::warnBefore() {
   if (options_.checkStability) {
     const double steps = options_.duration / options_.h;
     std::string warning = instabilityWarning(system_, method_, from_, options_.h, steps);
-    if (!warning.empty()) result_.warnings.push_back(std::move(warning));
+    if (!warning.empty()) warnOnce(warnedOfInstability_, std::move(warning));
   }
+  if (options_.checkStability) warnOfBounces();
   if (options_.checkNumericalDamping) {
     const NumericalDamping damping = numericalDamping(system_, method_, from_, options_.h, options_.duration);
     if (damping.exceeds) result_.warnings.push_back(damping.sentence);
   }
+}
+
+/// A bounce is a jump of the force when few steps fall into it.
+void Run::warnOfBounces() {
+  if (switching_ == nullptr) return;
+  constexpr double enough = 20.0;
+  const double bounce = switching_->shortestBounce(from_);
+  if (!(options_.h * enough > bounce) || options_.duration < bounce) return;
+  result_.warnings.push_back(
+      fmt::format("a bounce off an obstacle lasts {:.3g} s: h = {:.3g} s leaves {:.2g} steps for it, and {:.0f} are "
+                  "wanted (h up to "
+                  "{:.3g} s)",
+                  bounce, options_.h, bounce / options_.h, enough, bounce / enough));
+}
+
+/// Modes have switched on that the look before the run may not have counted: several contacts at once.
+void Run::lookAtStabilityAgain() {
+  if (adaptive_ || !options_.checkStability || warnedOfInstability_ || ++looks_ > mostLooks) return;
+  std::string warning = lateInstabilityWarning(system_, method_.info(), from_, options_.h);
+  if (!warning.empty()) warnOnce(warnedOfInstability_, std::move(warning));
 }
 
 void Run::begin() {
@@ -172,9 +198,9 @@ void Run::begin() {
     scale_.emplace(system_, from_, options_.duration);
     method_.measureErrorsBy(scale_->scale());
     const int order = std::max(1, method_.info().order);
-    const double h = options_.h > 0.0
-                         ? options_.h
-                         : firstStep(system_, from_, order, options_.tolerance.relative, scale_->scale(), options_.duration, result_.work);
+    const double h = options_.h > 0.0 ? options_.h
+                                      : firstStep(system_, from_, order, options_.tolerance.relative, scale_->scale(),
+                                                  options_.duration, result_.work);
     controller_.emplace(order, h, options_.largestStep);
   }
   if (locator_) locator_->start(from_, nominalStep());
@@ -284,11 +310,10 @@ bool Run::retryInexact(const PlannedStep& step, const StepResult& result) {
   ++retries_;
   if (retries_ <= mostRetries && controller_->h() > shortestStep()) return true;
   if (overflow && !stop(monitor_.checkStep(from_, to_))) return false;
-  return stop(
-      {true, from_.t, -1,
-       fmt::format("t = {:.6g} s: the step falls below {:.3g} s and its error is still {:.3g} times the "
-                   "tolerance; look for a force that jumps, or ask for less than {:.1g} of the motion",
-                   from_.t, step.length, result.error, options_.tolerance.relative)});
+  return stop({true, from_.t, -1,
+               fmt::format("t = {:.6g} s: the step falls below {:.3g} s and its error is still {:.3g} times the "
+                           "tolerance; look for a force that jumps, or ask for less than {:.1g} of the motion",
+                           from_.t, step.length, result.error, options_.tolerance.relative)});
 }
 
 /// Shortens the step that has just been taken to the first event in it.
@@ -373,6 +398,7 @@ void Run::updateModes(bool jump) {
   frozen_ = frozen_ || freezeAgain;
   if (switching_->commit(from_, frozen_)) jump = true;
   if (jump || freezeAgain) method_.restart();
+  if (jump) lookAtStabilityAgain();
   if (freezeAgain) {
     locator_->start(from_, nominalStep());
   } else if (frozen_) {

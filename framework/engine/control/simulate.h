@@ -15,11 +15,11 @@ struct RunOptions {
   double h = 0.0;          ///< step [s] of a fixed-step method, first step of an adaptive one (0: chosen)
   bool fixedStep = false;  ///< take h throughout even when the method has an error estimate
   Tolerance tolerance = {};
-  double largestStep = std::numeric_limits<double>::infinity();            ///< [s], for adaptive methods
-  double stepsAPeriod = 8.0;  ///< an adaptive method takes at least so many in the shortest period of what acts
-  long long mostSteps = 100'000'000;                                       ///< stop, with a report, after so many steps
+  double largestStep = std::numeric_limits<double>::infinity();  ///< [s], for adaptive methods
+  double stepsAPeriod = 8.0;          ///< an adaptive method takes at least so many in the shortest period of what acts
+  long long mostSteps = 100'000'000;  ///< stop, with a report, after so many steps
   long long mostForceEvaluations = std::numeric_limits<long long>::max();  ///< the same for force evaluations
-  double outputInterval = 0.0;           ///< [s]; 0: every step. Outputs between steps come from dense output
+  double outputInterval = 0.0;  ///< [s]; 0: every step. Outputs between steps come from dense output
   /// In place of an interval: the times of the outputs [s], ascending, from dense output; no step ends for them.
   std::vector<double> sampleTimes = {};
   std::vector<double> outputTimes = {};  ///< besides: exact times to be hit by a step [s], ascending

@@ -2,6 +2,7 @@
 #include "engine/capabilities.h"
 #include "engine/forces/matrix_pattern.h"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ class ForceBatch {
   /// Whether the whole force derives from the energy.
   virtual bool isConservative() const { return true; }
   virtual bool usesVelocity() const { return false; }
+
+  /// Whether its force is the same everywhere: gravity, whose energy has no zero of its own.
+  virtual bool isUniformField() const { return false; }
 
   /// All of the force [N].
   virtual void addForce(const Configuration& at, double* f) const = 0;
@@ -80,6 +84,12 @@ class ForceBatch {
   virtual void addForceWithoutFriction(const Configuration& at, double* f) const { addForce(at, f); }
   /// Sets the mode of guard i to the far side of its zero.
   virtual void cross(int /*guard*/, const Configuration&, double* /*z*/) const {}
+  /// Sets the modes as if what may close were closed: see Switching::close().
+  virtual void close(const Configuration&, double* /*z*/) const {}
+  /// See Switching::shortestBounce().
+  virtual double shortestBounce(const Configuration&) const { return std::numeric_limits<double>::infinity(); }
+  /// Energy [J] that friction anchors store: no part of the potential, for friction is no gradient.
+  virtual double anchorEnergy(const Configuration&) const { return 0.0; }
   /// Whether a node could pass through an obstacle of this batch.
   virtual bool isThin() const { return false; }
   /// The part of h in which nothing passes through an obstacle; `a` are accelerations of the free nodes' unknowns.

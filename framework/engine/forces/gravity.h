@@ -9,6 +9,7 @@ class Gravity final : public ForceBatch {
   /// \param weight [N] of each free unknown, m g along its axis
   explicit Gravity(std::vector<double> weight) : weight_(std::move(weight)) {}
 
+  bool isUniformField() const override { return true; }
   void addForce(const Configuration& at, double* f) const override;
   double energy(const Configuration& at) const override;
   void addDiscreteGradientForce(const Configuration& a, const Configuration& b, double* f) const override;

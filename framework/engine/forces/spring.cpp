@@ -310,6 +310,12 @@ bool Spring<D>::commit(const Configuration& at, bool frozen, double* z) const {
 }
 
 template <int D>
+void Spring<D>::close(const Configuration& /*at*/, double* z) const {
+  if (kind_ != SpringKind::Unilateral) return;
+  for (std::size_t i = 0; i < springs_.size(); ++i) *internal(i, z) = mode::closed;
+}
+
+template <int D>
 void Spring<D>::cross(int guard, const Configuration& at, double* z) const {
   const auto i = static_cast<std::size_t>(guard);
   const Vector d = difference(springs_[i], at.x), w = difference(springs_[i], at.v);

@@ -68,6 +68,7 @@ class Spring final : public ForceBatch {
   std::string guardName(int i) const override;
   bool commit(const Configuration& at, bool frozen, double* z) const override;
   void cross(int guard, const Configuration& at, double* z) const override;
+  void close(const Configuration& at, double* z) const override;
 
  private:
   using Vector = Eigen::Matrix<double, D, 1>;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <Eigen/Geometry>
+#include <limits>
 #include <stdexcept>
 
 namespace muelle::engine {
@@ -322,6 +323,22 @@ void MassSpringSystem::cross(int guard, State& state) const {
   throw std::out_of_range("no such guard");
 }
 
+void MassSpringSystem::close(State& state) const {
+  state.z.resize(static_cast<std::size_t>(internalSize_), 0.0);
+  const std::vector<double> before = state.z;
+  const Configuration at = gather(state.t, state.x, state.v, before, first_);
+  for (const auto& batch : batches_) batch->close(at, state.z.data());
+}
+
+double MassSpringSystem::shortestBounce(const State& state) const {
+  const std::vector<double> live(state.z.empty() ? static_cast<std::size_t>(internalSize_) : 0, 0.0);
+  const In z = state.z.empty() ? In(live) : In(state.z);
+  const Configuration at = gather(state.t, state.x, state.v, z, first_);
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& batch : batches_) shortest = std::min(shortest, batch->shortestBounce(at));
+  return shortest;
+}
+
 double MassSpringSystem::sweptBound(double t, In x, In v, In z, double h) const {
   if (std::none_of(batches_.begin(), batches_.end(), [](const auto& batch) { return batch->isThin(); })) return h;
   force(t, x, v, z, acceleration_);
@@ -392,9 +409,22 @@ double MassSpringSystem::kineticEnergy(const State& state) const {
 }
 
 double MassSpringSystem::totalEnergy(const State& state) const {
-  // A recorded state has lost its z: with zeros the modes are live, as the positions say.
+  // A recorded state has lost its z: with zeros the modes are live, as the positions say, and no anchor is known.
   const std::vector<double> live(state.z.empty() ? static_cast<std::size_t>(internalSize_) : 0, 0.0);
-  return kineticEnergy(state) + energy(state.t, state.x, state.z.empty() ? live : state.z);
+  const In z = state.z.empty() ? In(live) : In(state.z);
+  double sum = kineticEnergy(state) + energy(state.t, state.x, z);
+  const Configuration at = gather(state.t, state.x, zeroVelocity_, z, first_);
+  for (const auto& batch : batches_) sum += state.z.empty() ? 0.0 : batch->anchorEnergy(at);
+  return sum;
+}
+
+double MassSpringSystem::elasticEnergy(const State& state) const {
+  const std::vector<double> live(state.z.empty() ? static_cast<std::size_t>(internalSize_) : 0, 0.0);
+  const In z = state.z.empty() ? In(live) : In(state.z);
+  const Configuration at = gather(state.t, state.x, zeroVelocity_, z, first_);
+  double sum = 0.0;
+  for (const auto& batch : batches_) sum += batch->isUniformField() ? 0.0 : batch->energy(at);
+  return sum;
 }
 
 Vec3 MassSpringSystem::momentum(const State& state) const {

@@ -55,6 +55,7 @@ class MassSpringSystem final : public ModelSystem,
   const Model& model() const override { return model_; }
   double kineticEnergy(const State& state) const override;
   double totalEnergy(const State& state) const override;
+  double elasticEnergy(const State& state) const override;
   Vec3 momentum(const State& state) const override;
   Vec3 angularMomentum(const State& state) const override;
 
@@ -84,6 +85,8 @@ class MassSpringSystem final : public ModelSystem,
   void declaredTimes(double from, double to, std::vector<double>& times) const override;
   bool commit(State& state, bool frozen) const override;
   void cross(int guard, State& state) const override;
+  void close(State& state) const override;
+  double shortestBounce(const State& state) const override;
   double sweptBound(double t, In x, In v, In z, double h) const override;
 
   /// Arrays over all nodes: the caller's own when every node is free.

@@ -24,7 +24,9 @@ class ModelSystem : public System {
   virtual const Model& model() const = 0;
 
   virtual double kineticEnergy(const State& state) const = 0;  ///< [J]
-  virtual double totalEnergy(const State& state) const = 0;    ///< kinetic and potential [J]; z may be empty
+  /// Kinetic and potential [J], and what friction anchors store; z may be empty (then without the anchors).
+  virtual double totalEnergy(const State& state) const = 0;
+  virtual double elasticEnergy(const State& state) const = 0;  ///< potential energy without that of gravity [J]
   /// Of the free nodes [kg m/s], [kg m^2/s] about the origin (3D; in 2D about the axis across the plane).
   virtual Vec3 momentum(const State& state) const = 0;
   virtual Vec3 angularMomentum(const State& state) const = 0;

@@ -247,7 +247,12 @@ void readRun(const TableReader& table, Scene& scene) {
   scene.method = table.choice("method", methodIds());
   scene.duration = table.positive("duration");
   if (table.has("step")) scene.step = table.positive("step");
-  if (table.has("tolerance")) scene.tolerance = table.positive("tolerance");
+  if (table.has("tolerance")) {
+    scene.tolerance = table.positive("tolerance");
+    if (*scene.tolerance > 1.0) {
+      table.fail("tolerance", "bounds the error of a step in parts of the motion, so it is at most 1");
+    }
+  }
   const bool adaptive = methodInfo(scene.method).adaptive;
   if (!scene.step && !adaptive) table.fail("step", fmt::format("missing: {} needs a step [s]", scene.method));
   if (!scene.step && !scene.tolerance) {

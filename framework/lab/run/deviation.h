@@ -9,8 +9,8 @@ namespace muelle::lab {
 
 /// Sizes of a motion, or of the difference of two: positions and velocities of the nodes, and each output of the scene.
 struct Sizes {
-  double position = 0.0;  ///< [m], the largest of a node at any output
-  double velocity = 0.0;  ///< [m/s], likewise
+  double position = 0.0;        ///< [m], the largest of a node at any output
+  double velocity = 0.0;        ///< [m/s], likewise
   std::vector<double> outputs;  ///< in the order of the scene's outputs, paths left out; in their own unit
 
   /// Takes the larger of each.

@@ -36,7 +36,10 @@ struct Scale {
 class Refinement {
  public:
   Refinement(const Scene& scene, const SceneRun& run, const std::string& label)
-      : scene_(scene), run_(run), label_(label), method_(makeMethod(scene.method)),
+      : scene_(scene),
+        run_(run),
+        label_(label),
+        method_(makeMethod(scene.method)),
         rows_(comparedRows(run.result.trajectory)) {
     for (const std::size_t row : rows_) {
       if (row > 0) times_.push_back(run.result.trajectory.t[row]);
@@ -125,6 +128,8 @@ double shortestStretch(const System& system, double duration) {
 /// Why runs at this step would share a mistake, as far as one can tell beforehand; empty when nothing is known.
 std::string sharedMistake(const Scene& scene, const SceneRun& run) {
   const double duration = run.options.duration;
+  if (run.result.failed()) return "the run did not reach its end";
+  if (energyBalance(scene, run).fails()) return "the run gains energy that nothing gives";
   if (!run.options.fixedStep) {
     return run.result.work.steps < 2 ? "the whole run is one step" : "";
   }
@@ -158,65 +163,108 @@ void take(ErrorEstimate& estimate, const Scale& scale, const Sizes& difference, 
   estimate.atRounding = estimate.error() <= 4.0 * floor;
 }
 
+/// What is known after a run that is finer than the one before.
+struct Approach {
+  double change = 0.0;    ///< what the last refinement changed, in parts of the motion
+  double ratio = 0.0;     ///< by how much less than the refinement before
+  double distance = 0.0;  ///< of the first run from the finest
+  /// What the finest run has still before it, when further refinements shrink as the last did.
+  double rest() const { return ratio > 1.0 ? change / (ratio - 1.0) : std::numeric_limits<double>::infinity(); }
+  /// Whether the first run's error can be told: the runs approach each other, or the finest is near its limit by now.
+  bool isSeen() const { return ratio >= slowestApproach || (ratio > 1.15 && rest() < 0.5 * distance); }
+};
+
+std::string notSeen(bool fixed, const Approach& approach) {
+  return fmt::format("the order is not seen: with {} the result changes {:.2g} times as much as before",
+                     fixed ? "half the step" : "a tenth of the tolerance", 1.0 / approach.ratio);
+}
+
+std::string howRefined(bool fixed, int runs) {
+  if (fixed) return runs == 2 ? "steps halved twice" : "steps halved three times";
+  return runs == 2 ? "tolerances of a tenth and a hundredth" : "tolerances down to a thousandth";
+}
+
+/// Estimates the error of a run, with as many finer runs as it needs.
+class Estimator {
+ public:
+  Estimator(const Scene& scene, const SceneRun& run, const std::string& label)
+      : scene_(scene), run_(run), fixed_(run.options.fixedStep), runs_(scene, run, label) {}
+
+  ErrorEstimate estimate() {
+    RunResult finer = runs_.at(2.0);
+    if (finer.failed()) return failure("the finer run did not reach its end");
+    const Sizes difference = runs_.differenceFromFirst(finer);
+    const Scale scale = scaleOf(scene_, run_, finer);
+    const double change = scale.errorOf(difference);
+    if (change <= 4.0 * scale.rounding())
+      return settle(finer, scale, difference, 1.0, fixed_ ? "step halved" : "a tenth of the tolerance");
+    const double ratio = changeToCoarser(scale) / change;
+    const double expected = std::pow(2.0, run_.method.order);
+    const bool seen = fixed_ ? ratio > 0.6 * expected && ratio < 1.7 * expected : ratio > 4.0 && ratio < 30.0;
+    if (!seen) return refine(std::move(finer), change);
+    return settle(finer, scale, difference, ratio / (ratio - 1.0),
+                  fixed_ ? fmt::format("step halved, order {} seen", run_.method.order) : "a tenth of the tolerance");
+  }
+
+ private:
+  /// What twice the step would change; 0 where such a run does not reach its end.
+  double changeToCoarser(const Scale& scale) {
+    const RunResult coarser = runs_.at(0.5);
+    return coarser.failed() ? 0.0 : scale.errorOf(runs_.differenceFromFirst(coarser));
+  }
+
+  ErrorEstimate refine(RunResult before, double change) {
+    constexpr int most = 3;
+    Approach approach{change, 0.0, change};
+    for (int n = 2; n <= most; ++n) {
+      RunResult finest = runs_.at(std::pow(2.0, n));
+      if (finest.failed()) return failure("the finest run did not reach its end");
+      const Scale scale = scaleOf(scene_, run_, finest);
+      const Sizes difference = runs_.differenceFromFirst(finest);
+      const double last = scale.errorOf(runs_.difference(before, finest));
+      approach = {last, last > 0.0 ? approach.change / last : std::numeric_limits<double>::infinity(),
+                  scale.errorOf(difference)};
+      if (approach.isSeen() || last <= 4.0 * scale.rounding()) {
+        const bool coherent = approach.ratio >= slowestApproach && approach.distance > 0.0;
+        const double factor = coherent ? 1.0 + approach.rest() / approach.distance : 1.0;
+        return settle(finest, scale, difference, factor, howRefined(fixed_, n));
+      }
+      before = std::move(finest);
+    }
+    return failure(notSeen(fixed_, approach));
+  }
+
+  ErrorEstimate settle(const RunResult& finest, const Scale& scale, const Sizes& difference, double factor,
+                       std::string how) {
+    const double loss = lostEnergy(*run_.system, finest);
+    if (loss > mostLoss) return failure(lossSentence(loss));
+    ErrorEstimate estimate;
+    estimate.how = std::move(how);
+    estimate.wallTime = runs_.wallTime();
+    take(estimate, scale, difference, factor);
+    return estimate;
+  }
+
+  ErrorEstimate failure(std::string reason) const {
+    ErrorEstimate estimate;
+    estimate.failure = std::move(reason);
+    estimate.wallTime = runs_.wallTime();
+    return estimate;
+  }
+
+  const Scene& scene_;
+  const SceneRun& run_;
+  bool fixed_;
+  Refinement runs_;
+};
+
 }  // namespace
 
 ErrorEstimate estimateError(const Scene& scene, const SceneRun& run, const std::string& label) {
-  ErrorEstimate estimate;
-  if (run.result.failed()) {
-    estimate.failure = "the run did not reach its end";
-    return estimate;
-  }
-  estimate.failure = sharedMistake(scene, run);
-  if (!estimate.failure.empty()) return estimate;
-
-  const bool fixed = run.options.fixedStep;
-  Refinement runs(scene, run, label);
-  const auto finish = [&](std::string failure) {
-    estimate.failure = std::move(failure);
-    estimate.wallTime = runs.wallTime();
-    return estimate;
-  };
-  const RunResult finer = runs.at(2.0);
-  if (finer.failed()) return finish("the finer run did not reach its end");
-  const Sizes first = runs.differenceFromFirst(finer);
-  Scale scale = scaleOf(scene, run, finer);
-  const double d1 = scale.errorOf(first);
-
-  const double expected = fixed ? std::pow(2.0, run.method.order) : 10.0;
-  const auto lost = [&](const RunResult& finest) { return lostEnergy(*run.system, run.result, finest); };
-  const bool rounded = d1 <= 4.0 * scale.rounding();
-  if (!rounded) {
-    const RunResult coarser = runs.at(0.5);
-    const double d0 = coarser.failed() ? 0.0 : scale.errorOf(runs.differenceFromFirst(coarser));
-    const double seen = d0 / d1;
-    const bool orderSeen = fixed ? seen > 0.6 * expected && seen < 1.7 * expected : seen > 4.0 && seen < 30.0;
-    if (!orderSeen) {
-      const RunResult finest = runs.at(4.0);
-      if (finest.failed()) return finish("the finest run did not reach its end");
-      scale = scaleOf(scene, run, finest);
-      const double d2 = scale.errorOf(runs.difference(finer, finest));
-      const double approach = d2 > 0.0 ? d1 / d2 : std::numeric_limits<double>::infinity();
-      estimate.how = fixed ? "steps halved twice" : "tolerances of a tenth and a hundredth";
-      if (d2 > 4.0 * scale.rounding() && approach < slowestApproach) {
-        return finish(fmt::format("the order is not seen: with {} the result changes {:.2g} times as much as before",
-                                  fixed ? "half the step" : "a tenth of the tolerance", 1.0 / approach));
-      }
-      const double loss = lost(finest);
-      if (loss > mostLoss) return finish(lossSentence(loss));
-      take(estimate, scale, runs.differenceFromFirst(finest), 1.0 / (1.0 - 1.0 / (approach * approach)));
-      return finish({});
-    }
-    const double loss = lost(finer);
-    if (loss > mostLoss) return finish(lossSentence(loss));
-    estimate.how = fixed ? fmt::format("step halved, order {} seen", run.method.order) : "a tenth of the tolerance";
-    take(estimate, scale, first, seen / (seen - 1.0));
-    return finish({});
-  }
-  const double loss = lost(finer);
-  if (loss > mostLoss) return finish(lossSentence(loss));
-  estimate.how = fixed ? "step halved" : "a tenth of the tolerance";
-  take(estimate, scale, first, 1.0);
-  return finish({});
+  ErrorEstimate none;
+  none.failure = sharedMistake(scene, run);
+  if (!none.failure.empty()) return none;
+  return Estimator(scene, run, label).estimate();
 }
 
 }  // namespace muelle::lab

@@ -1,6 +1,7 @@
 #include "lab/run/run_scene.h"
 
 #include "engine/integrators/catalogue.h"
+#include "lab/run/energy_balance.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -24,19 +25,6 @@ double positiveOption(const char* option, const char* unit, double value) {
 /// An adaptive method takes its step by the tolerance, unless the scene has only a step for it.
 bool isFixed(const Scene& scene) { return !methodInfo(scene.method).adaptive || !scene.tolerance; }
 
-double norm(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value * value;
-  return std::sqrt(sum);
-}
-
-double relativeDifference(const std::vector<double>& a, const std::vector<double>& b) {
-  std::vector<double> d(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) d[i] = a[i] - b[i];
-  const double scale = norm(b);
-  return scale > 0.0 ? norm(d) / scale : norm(d);
-}
-
 // --- lines of the summary ---
 
 /// 1,234,567
@@ -50,8 +38,9 @@ std::string line(const char* name, const std::string& text) { return fmt::format
 
 std::string stepLine(const Scene& scene, const SceneRun& run) {
   const Work& work = run.result.work;
-  std::string text = isFixed(scene) ? fmt::format("h = {:.4g} s", run.options.h)
-                                    : fmt::format("chosen for a tolerance of {:.1g}", run.options.tolerance.relative);
+  std::string text =
+      isFixed(scene) ? fmt::format("h = {:.4g} s", run.options.h)
+                     : fmt::format("chosen for a tolerance of {:.2g} of the motion", run.options.tolerance.relative);
   text += fmt::format(", {} steps", grouped(work.steps));
   if (work.rejectedSteps > 0) text += fmt::format(", {} rejected", grouped(work.rejectedSteps));
   if (run.result.subdividedSteps > 0) {
@@ -69,20 +58,50 @@ std::string timeLine(const SceneRun& run) {
   return text;
 }
 
+/// "0.014 of the motion", or the number with its unit where nothing moves.
+std::string part(const PartError& error, const char* unit) {
+  return error.absolute ? fmt::format("{:.2g} {}", error.value, unit) : fmt::format("{:.2g}", error.value);
+}
+
 std::string errorLine(const SceneRun& run) {
   if (!run.error) return "not estimated";
   const ErrorEstimate& estimate = *run.error;
-  const std::string cost = fmt::format("{}; {:.2g} s more", estimate.how, estimate.wallTime);
-  if (!estimate.failure.empty()) return fmt::format("no estimate: {} ({})", estimate.failure, cost);
-  return fmt::format("{:.2g} of the final positions, relative L2 ({})", estimate.error, cost);
+  const std::string cost = estimate.wallTime > 0.0 ? fmt::format("; {:.2g} s more", estimate.wallTime) : "";
+  if (!estimate.failure.empty()) return fmt::format("no estimate: {}{}", estimate.failure, cost);
+  const std::string how = estimate.how + cost;
+  if (estimate.absolute) {
+    return fmt::format("{:.2g} m, {:.2g} m/s; nothing moves beyond rounding ({})", estimate.position, estimate.velocity,
+                       how);
+  }
+  if (estimate.atRounding)
+    return fmt::format("{:.2g} of the motion, the rounding of positions ({})", estimate.error(), how);
+  return fmt::format("{:.2g} of the motion: positions {:.2g}, velocities {:.2g} ({})", estimate.error(),
+                     estimate.position, estimate.velocity, how);
 }
 
-std::string energyLine(const SceneRun& run) {
-  const std::vector<double>& E = run.result.trajectory.track("total energy");
-  if (E.empty()) return "not measured";
-  std::string text = fmt::format("{:.6g} J -> {:.6g} J", E.front(), E.back());
-  if (run.isConservative()) return text + fmt::format(", drift {:.2g}", run.energyDrift());
-  return text + ", not conserved: something takes or gives";
+/// A line for each output of the scene.
+std::string outputErrorLines(const Scene& scene, const ErrorEstimate& estimate) {
+  std::string text;
+  std::size_t i = 0;
+  for (const SceneOutput& output : scene.outputs) {
+    if (output.kind == SceneOutput::Kind::Path || i >= estimate.outputs.size()) continue;
+    const char* unit = output.kind == SceneOutput::Kind::Velocity ? "m/s" : "m";
+    text += line("", fmt::format("{}: {}", output.name, part(estimate.outputs[i++], unit)));
+  }
+  return text;
+}
+
+std::string energyLine(const EnergyBalance& balance) {
+  std::string text = fmt::format("{:.6g} J at the start, {:+.3g} J at the end, between {:+.3g} and {:+.3g} J",
+                                 balance.start, balance.end, balance.lowest, balance.highest);
+  if (balance.scale > 0.0) {
+    const double most = std::max(balance.highest, -balance.lowest) / balance.scale;
+    text += most < 10.0 ? fmt::format(" (up to {:.2g} %", 100.0 * most) : fmt::format(" (up to {:.2g} times", most);
+    text += fmt::format(" of the scene's {:.3g} J)", balance.scale);
+  }
+  if (balance.fate == EnergyFate::KeptOrLost) return text + "; it may be lost, not gained";
+  if (balance.fate == EnergyFate::Open) return text + "; something drives the scene";
+  return text;
 }
 
 std::string workLine(const Work& work) {
@@ -131,6 +150,11 @@ Scene applied(Scene scene, const RunOverrides& overrides) {
       throw std::invalid_argument(fmt::format("--tolerance: {} has no error estimate; give --step", scene.method));
     }
     scene.tolerance = positiveOption("--tolerance", "", *overrides.tolerance);
+    if (*scene.tolerance > 1.0) {
+      throw std::invalid_argument(
+          fmt::format("--tolerance is {}; it bounds the error of a step in parts of the motion, so it is at most 1",
+                      *scene.tolerance));
+    }
   } else if (overrides.step) {
     scene.step = positiveOption("--step", " s", *overrides.step);
     scene.tolerance.reset();
@@ -163,19 +187,6 @@ RunOptions optionsOf(const Scene& scene) {
   return options;
 }
 
-double SceneRun::energyDrift() const {
-  const std::vector<double>& E = result.trajectory.track("total energy");
-  const std::vector<double>& T = result.trajectory.track("kinetic energy");
-  if (E.empty()) return 0.0;
-  double scale = std::abs(E.front());
-  for (const double kinetic : T) scale = std::max(scale, kinetic);
-  double drift = 0.0;
-  for (const double energy : E) drift = std::max(drift, std::abs(energy - E.front()));
-  return scale > 0.0 ? drift / scale : 0.0;
-}
-
-bool SceneRun::isConservative() const { return system->potential() != nullptr && system->potential()->isComplete(); }
-
 SceneRun runScene(const Scene& scene, const std::string& label) {
   SceneRun run;
   run.system = build(scene.model);
@@ -187,34 +198,6 @@ SceneRun runScene(const Scene& scene, const std::string& label) {
   options.probes = probesOf(scene, *run.system);
   run.result = simulate(*run.system, *method, run.system->initialState(), options);
   return run;
-}
-
-ErrorEstimate estimateError(const Scene& scene, const SceneRun& run, const std::string& label) {
-  const std::unique_ptr<Method> method = makeMethod(scene.method);
-  ErrorEstimate estimate;
-  RunOptions options = run.options;
-  options.probes.clear();
-  options.keepStates = false;
-  options.checkStability = false;
-  options.checkNumericalDamping = false;
-  options.label = label;
-  if (options.fixedStep) {
-    options.h *= 0.5;
-    estimate.how = fmt::format("step halved, order {}", run.method.order);
-  } else {
-    options.tolerance.relative *= 0.1;
-    estimate.how = "a tenth of the tolerance";
-  }
-  const RunResult finer = simulate(*run.system, *method, run.system->initialState(), options);
-  estimate.wallTime = finer.wallTime;
-  if (run.result.failed() || finer.failed()) {
-    estimate.failure = run.result.failed() ? "the run did not reach its end" : "the finer run did not reach its end";
-    return estimate;
-  }
-  estimate.difference = relativeDifference(run.result.last.x, finer.last.x);
-  const double power = std::pow(2.0, run.method.order);
-  estimate.error = options.fixedStep ? estimate.difference * power / (power - 1.0) : estimate.difference;
-  return estimate;
 }
 
 Trajectory trajectoryOf(const SceneRun& run) {
@@ -244,14 +227,17 @@ Trajectory trajectoryOf(const SceneRun& run) {
 
 std::string summaryOf(const Scene& scene, const SceneRun& run) {
   const RunResult& result = run.result;
+  const EnergyBalance balance = energyBalance(scene, run);
   std::string text = fmt::format("{}: {}\n", scene.name, scene.title);
+  if (balance.fails()) text += line("FAILED", energyFailure(balance));
   text += line("scene", sizeLine(scene, run));
   for (const std::string& warning : scene.warnings) text += line("warning", warning);
   text += line("method", fmt::format("{}, order {}", run.method.name, run.method.order));
   text += line("step", stepLine(scene, run));
   text += line("time", timeLine(run));
   text += line("error", errorLine(run));
-  text += line("energy", energyLine(run));
+  if (run.error && run.error->failure.empty()) text += outputErrorLines(scene, *run.error);
+  text += line("energy", energyLine(balance));
   text += line("work", workLine(result.work));
   for (std::size_t i = 0; i < std::min(result.warnings.size(), shownWarnings); ++i) {
     text += line("warning", result.warnings[i]);

@@ -1,0 +1,138 @@
+#include "lab/run/energy_balance.h"
+
+#include "engine/analysis/amplification.h"
+#include "engine/analysis/spectrum.h"
+#include "engine/control/motion_frame.h"
+#include "engine/integrators/catalogue.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace muelle::lab {
+
+using namespace engine;
+
+namespace {
+
+constexpr double mostGain = 0.05;  // of the energy scale
+/// Energies are sums of terms that cancel: below this part of the terms a change is rounding.
+constexpr double rounding = 1e-11;
+
+/// The signed distance [m] of a point from an obstacle's surface as it stands at the start.
+double distanceTo(const Obstacle& obstacle, const Vec3& x) {
+  const Vec3 r = x - obstacle.centre;
+  switch (obstacle.kind) {
+    case Obstacle::Kind::Plane:
+      return obstacle.normal.normalized().dot(r);
+    case Obstacle::Kind::Sphere:
+      return r.norm() - obstacle.radius;
+    case Obstacle::Kind::Box:
+      return (r.cwiseAbs() - obstacle.halfSize).cwiseMax(0.0).norm();
+  }
+  return 0.0;
+}
+
+/// The longest way to an obstacle, each measured from the node that is nearest to it.
+double wayToObstacles(const Model& model) {
+  double longest = 0.0;
+  for (const Obstacle& obstacle : model.obstacles) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const ModelNode& node : model.nodes) nearest = std::min(nearest, std::abs(distanceTo(obstacle, node.x)));
+    longest = std::max(longest, nearest);
+  }
+  return longest;
+}
+
+double kineticEnergyOf(const ModelSystem& system, State state, const std::vector<double>& drift) {
+  for (std::size_t i = 0; i < state.v.size(); ++i) state.v[i] -= drift[i % drift.size()];
+  return system.kineticEnergy(state);
+}
+
+/// sum_i |F_i| [N] over the free nodes.
+double sumOfForces(const ModelSystem& system, const State& state) {
+  std::vector<double> force(state.x.size());
+  system.force(state.t, state.x, state.v, state.z, force);
+  const auto dimension = static_cast<std::size_t>(system.dimension());
+  double sum = 0.0;
+  for (std::size_t node = 0; node < force.size(); node += dimension) {
+    double squares = 0.0;
+    for (std::size_t c = 0; c < dimension; ++c) squares += force[node + c] * force[node + c];
+    sum += std::sqrt(squares);
+  }
+  return sum;
+}
+
+/// The factor by which the method's own energy may differ from the true one, over the modes of the system with
+/// everything closed that may close; at steps for which no mode of it is known (implicit methods) over all of them.
+double largestSwing(const Scene& scene, const SceneRun& run) {
+  const std::unique_ptr<Method> method = makeMethod(scene.method);
+  Amplification amplification(*method);
+  double swing = 1.0;
+  if (!run.options.fixedStep) return swing;
+  State state = run.system->initialState();
+  if (run.system->switching() != nullptr) run.system->switching()->close(state);
+  for (const Mode& mode : extremeModes(LinearisedSystem(*run.system, state))) {
+    if (mode.stiffness > 0.0) swing = std::max(swing, amplification.energySwing(run.options.h * mode.frequency()));
+  }
+  return swing;
+}
+
+}  // namespace
+
+EnergyFate energyFate(const ModelSystem& system) {
+  const Model& model = system.model();
+  const bool moved = std::ranges::any_of(model.nodes, [](const ModelNode& node) { return node.motion >= 0; });
+  const bool pushed = std::ranges::any_of(model.obstacles, [](const Obstacle& o) { return !o.velocity.isZero(0.0); });
+  if (moved || pushed || !model.externalForces.empty()) return EnergyFate::Open;
+  const bool complete = system.potential() != nullptr && system.potential()->isComplete();
+  return complete ? EnergyFate::Kept : EnergyFate::KeptOrLost;
+}
+
+double energyScale(const ModelSystem& system) {
+  const State start = system.initialState();
+  const MotionFrame frame(system, start);
+  const double extent = std::max(frame.extent(), wayToObstacles(system.model()));
+  return kineticEnergyOf(system, start, frame.drift()) + std::abs(system.elasticEnergy(start)) +
+         sumOfForces(system, start) * extent;
+}
+
+bool EnergyBalance::fails() const {
+  return fate != EnergyFate::Open && highest > mostGain * scale && highest > allowed &&
+         highest > rounding * (std::abs(start) + std::abs(end) + scale);
+}
+
+std::string energyFailure(const EnergyBalance& balance) {
+  return fmt::format(
+      "the energy rises by {:.3g} J, {:.3g} times the scene's {:.3g} J, where nothing can give any: the step "
+      "is too long for this method; take a shorter one",
+      balance.highest, balance.scale > 0.0 ? balance.highest / balance.scale : 0.0, balance.scale);
+}
+
+EnergyBalance energyBalance(const Scene& scene, const SceneRun& run) {
+  const std::vector<double>& E = run.result.trajectory.track("total energy");
+  EnergyBalance balance;
+  balance.fate = energyFate(*run.system);
+  balance.scale = energyScale(*run.system);
+  balance.start = E.front();
+  balance.end = E.back() - E.front();
+  for (const double energy : E) {
+    balance.highest = std::max(balance.highest, energy - E.front());
+    balance.lowest = std::min(balance.lowest, energy - E.front());
+  }
+  if (balance.fate != EnergyFate::Open && balance.highest > mostGain * balance.scale) {
+    balance.allowed = (largestSwing(scene, run) - 1.0) * balance.scale;
+  }
+  return balance;
+}
+
+double lostEnergy(const ModelSystem& system, const RunResult& finest) {
+  if (energyFate(system) != EnergyFate::Kept) return 0.0;
+  const std::vector<double>& E = finest.trajectory.track("total energy");
+  const auto late = E.end() - std::max<std::ptrdiff_t>(1, std::ssize(E) / 10);
+  const double scale = energyScale(system);
+  return scale > 0.0 ? (E.front() - *std::max_element(late, E.end())) / scale : 0.0;
+}
+
+}  // namespace muelle::lab

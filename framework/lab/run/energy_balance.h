@@ -1,0 +1,49 @@
+#pragma once
+#include "engine/model/model_system.h"
+#include "engine/scene/scene.h"
+#include "lab/run/run_scene.h"
+
+#include <string>
+
+namespace muelle::lab {
+
+/// What a scene may do with its energy.
+enum class EnergyFate {
+  Kept,        ///< all forces derive from the energy
+  KeptOrLost,  ///< besides there is damping, drag or friction
+  Open,        ///< something drives it: a force of time, a motion, an obstacle that moves
+};
+EnergyFate energyFate(const engine::ModelSystem& system);
+
+/// The scale of a scene's energies [J]: the kinetic energy of v - V at the start (V as in MotionFrame), the elastic
+/// energy at the start, and what the forces at the start could do along the scene's extent, sum_i |F_i| extent. Unlike
+/// the energy itself it depends neither on where heights are measured from nor on how fast all flies by. The extent
+/// counts the way to the obstacles.
+double energyScale(const engine::ModelSystem& system);
+
+/// A run's energy, relative to its start.
+struct EnergyBalance {
+  EnergyFate fate = EnergyFate::Open;
+  double scale = 0.0;    ///< see energyScale() [J]
+  double start = 0.0;    ///< [J]
+  double end = 0.0;      ///< less the start [J]
+  double highest = 0.0;  ///< over the outputs, less the start [J]
+  double lowest = 0.0;   ///< likewise [J]
+  /// The gain that the method's own, modified energy allows at this step [J]; looked for only when there is a gain of
+  /// more than 5 % of the scale.
+  double allowed = 0.0;
+  /// Whether it rises by more than 5 % of the scale and than the method's modified energy allows, in a scene that can
+  /// only keep or lose it: then the run is none of this scene.
+  bool fails() const;
+};
+/// One sentence for a balance that fails: by how much, and what to do.
+std::string energyFailure(const EnergyBalance& balance);
+/// Throws std::out_of_range when the run has not measured its energy.
+EnergyBalance energyBalance(const engine::Scene& scene, const SceneRun& run);
+
+/// Beyond this share of an energy that should be kept a run's loss says that it is of another motion.
+inline constexpr double mostLoss = 0.1;
+/// The part of the energy scale that `finest` has lost over its last tenth where all of it should be kept; 0 elsewhere.
+double lostEnergy(const engine::ModelSystem& system, const engine::RunResult& finest);
+
+}  // namespace muelle::lab
