@@ -130,7 +130,7 @@ EnergyBalance energyBalance(const Scene& scene, const SceneRun& run) {
 double lostEnergy(const ModelSystem& system, const RunResult& finest) {
   if (energyFate(system) != EnergyFate::Kept) return 0.0;
   const std::vector<double>& E = finest.trajectory.track("total energy");
-  const auto late = E.end() - std::max<std::ptrdiff_t>(1, std::ssize(E) / 10);
+  const auto late = E.end() - std::max<std::ptrdiff_t>(1, std::ssize(E) / 3);
   const double scale = energyScale(system);
   return scale > 0.0 ? (E.front() - *std::max_element(late, E.end())) / scale : 0.0;
 }

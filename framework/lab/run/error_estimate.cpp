@@ -18,6 +18,10 @@ namespace {
 /// Two differences in a row have to shrink at least so fast for the runs to count as approaching their limit.
 constexpr double slowestApproach = 1.6;
 
+/// Above it, in parts of the motion, differences no longer grow as errors do, and an order may seem to be there by
+/// accident.
+constexpr double surelySmall = 0.05;
+
 /// The larger of both parts of the motion: by it the approach of the runs is judged. What rounds by `floor` [m] is not
 /// told from 0.
 struct Scale {
@@ -201,7 +205,7 @@ class Estimator {
     const double ratio = changeToCoarser(scale) / change;
     const double expected = std::pow(2.0, run_.method.order);
     const bool seen = fixed_ ? ratio > 0.6 * expected && ratio < 1.7 * expected : ratio > 4.0 && ratio < 30.0;
-    if (!seen) return refine(std::move(finer), change);
+    if (!seen || change > surelySmall) return refine(std::move(finer), change);
     return settle(finer, scale, difference, ratio / (ratio - 1.0),
                   fixed_ ? fmt::format("step halved, order {} seen", run_.method.order) : "a tenth of the tolerance");
   }
@@ -225,7 +229,8 @@ class Estimator {
       approach = {last, last > 0.0 ? approach.change / last : std::numeric_limits<double>::infinity(),
                   scale.errorOf(difference)};
       if (approach.isSeen() || last <= 4.0 * scale.rounding()) {
-        const bool coherent = approach.ratio >= slowestApproach && approach.distance > 0.0;
+        // Where the whole motion is off the differences have no sign to add up by.
+        const bool coherent = approach.ratio >= slowestApproach && approach.distance > 0.0 && approach.distance < 0.3;
         const double factor = coherent ? 1.0 + approach.rest() / approach.distance : 1.0;
         return settle(finest, scale, difference, factor, howRefined(fixed_, n));
       }
