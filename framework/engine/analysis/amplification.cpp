@@ -35,6 +35,20 @@ double spectralRadius(const Matrix& m) {
   return discriminant < 0.0 || twice ? std::sqrt(std::abs(det)) : std::abs(half) + std::sqrt(discriminant);
 }
 
+/// A matrix of determinant 1 that turns keeps the form c x^2 + (d - a) x y - b y^2: the ratio of its extreme values on
+/// the unit circle, and so of the energies that one value of the form allows.
+double keptFormRatio(const Matrix& m) {
+  const double mean = 0.5 * (m.c - m.b);
+  const double spread = std::hypot(0.5 * (m.c + m.b), 0.5 * (m.d - m.a));
+  return (std::abs(mean) + spread) / (std::abs(mean) - spread);
+}
+
+/// The largest singular value, squared.
+double largestStretch(const Matrix& m) {
+  const double xx = m.a * m.a + m.c * m.c, xy = m.a * m.b + m.c * m.d, yy = m.b * m.b + m.d * m.d;
+  return 0.5 * (xx + yy) + std::hypot(0.5 * (xx - yy), xy);
+}
+
 constexpr std::array<std::array<double, 2>, 2> unitStates = {{{1.0, 0.0}, {0.0, 1.0}}};
 
 State unitState(int j) {
@@ -94,29 +108,28 @@ double Amplification::growthWithMemory() {
 
 double Amplification::energySwing(double z) {
   if (!(z > 0.0) || growth(z * z, 0.0) > 1.0 + roundingGrowth) return 1.0;
-  constexpr int steps = 400;  // enough for every phase to come by
   // The columns are runs from all energy in the spring and all in the motion; in coordinates (z x, v) the energy is
-  // half the square of the length, and the most that a step's matrix makes of it is its largest singular value squared.
-  std::array<State, 2> at = {unitState(0), unitState(1)};
-  at[0].x[0] /= z;
-  double most = 1.0;
-  std::array<std::vector<std::array<double, 2>>, 2> columns;
+  // half the square of the length.
+  constexpr int steps = 400;
+  std::vector<Matrix> path(steps);
   for (int j = 0; j < 2; ++j) {
-    State from = at[static_cast<std::size_t>(j)], to = from;
+    State from = unitState(j), to = from;
+    from.x[0] /= z;
     method_.restart();
-    for (int n = 0; n < steps; ++n) {
+    for (Matrix& at : path) {
       if (!method_.step(oscillator_, from, 1.0, to).done) return 1.0;
       method_.accept();
       std::swap(from, to);
-      columns[static_cast<std::size_t>(j)].push_back({z * from.x[0], from.v[0]});
+      (j == 0 ? at.a : at.b) = z * from.x[0];
+      (j == 0 ? at.c : at.d) = from.v[0];
     }
   }
-  for (std::size_t n = 0; n < static_cast<std::size_t>(steps); ++n) {
-    const auto& p = columns[0][n];
-    const auto& q = columns[1][n];
-    const double a = p[0] * p[0] + p[1] * p[1], b = p[0] * q[0] + p[1] * q[1], c = q[0] * q[0] + q[1] * q[1];
-    most = std::max(most, 0.5 * (a + c) + std::hypot(0.5 * (a - c), b));
-  }
+  const Matrix& step = path[0];
+  const bool remembers = (path[1] - step * step).norm() > 1e-9;
+  const bool turns = std::abs(step.a * step.d - step.b * step.c - 1.0) < 1e-9 && std::abs(step.a + step.d) < 2.0;
+  if (turns && !remembers) return keptFormRatio(step);
+  double most = 1.0;
+  for (const Matrix& at : path) most = std::max(most, largestStretch(at));
   return most;
 }
 

@@ -1,0 +1,102 @@
+#include "lab/run/energy_balance.h"
+
+#include "engine/analysis/amplification.h"
+#include "engine/integrators/catalogue.h"
+#include "support/scene_text.h"
+
+#include <gmock/gmock.h>
+#include <cmath>
+
+namespace muelle::lab {
+
+using namespace engine;
+namespace {
+
+/// 1 kg on a spring of 100 N/m (omega = 10 / s), 0.2 m from its rest length: 2 J.
+Scene swinging(const char* method, double hOmega, double duration) {
+  Scene scene = sceneFrom(head + pair + "[[spring]]\nnodes = [0, 1]\nk = 100.0\nL0 = 1.0\n" + run);
+  scene.method = method;
+  scene.step = hOmega / 10.0;
+  scene.duration = duration;
+  return scene;
+}
+
+/// 1 kg, 1 m above a plane of 1e5 N/m (omega = 316 / s).
+Scene bouncing(const char* method, double h) {
+  Scene scene = sceneFrom(
+      "title = 'A test'\nshows = 'nothing'\nslide = 'Contacto Externo'\ndimension = 1\ngravity = 9.81\n"
+      "[[node]]\nx = 1.0\nm = 1.0\n[[obstacle]]\nshape = 'plane'\nname = 'ground'\npoint = 0.0\nk = "
+      "1e5\n" +
+      engine::run);
+  scene.method = method;
+  scene.step = h;
+  scene.duration = 10.0;
+  return scene;
+}
+
+EnergyBalance balanceOf(const Scene& scene) { return energyBalance(scene, runScene(scene)); }
+
+TEST(EnergySwing, IsThatOfTheModifiedEnergy) {
+  for (const double z : {0.1, 0.5, 1.0, 1.5, 1.9}) {
+    const auto swing = [z](const char* id) {
+      const auto method = makeMethod(id);
+      return Amplification(*method).energySwing(z);
+    };
+    // Verlet keeps v^2 + (1 - z^2/4) w^2 x^2, symplectic Euler v^2 +- z w x v + w^2 x^2.
+    EXPECT_NEAR(swing("velocity_verlet"), 1.0 / (1.0 - z * z / 4.0), 1e-9) << z;
+    EXPECT_NEAR(swing("symplectic_euler"), (1.0 + z / 2.0) / (1.0 - z / 2.0), 1e-9) << z;
+    EXPECT_NEAR(swing("implicit_midpoint"), 1.0, 1e-9) << z;
+    EXPECT_EQ(swing("explicit_euler"), 1.0) << z;
+  }
+}
+
+// Stable runs never fail, however near the limit: what their method keeps is its own energy.
+TEST(EnergyBalance, OfAStableRunOfTheStudentsMethodsHolds) {
+  for (const char* method : {"velocity_verlet", "symplectic_euler"}) {
+    for (const double hOmega : {0.1, 1.0, 1.5, 1.9, 1.98}) {
+      const EnergyBalance balance = balanceOf(swinging(method, hOmega, 100.0));
+      EXPECT_FALSE(balance.fails()) << method << " " << hOmega;
+    }
+  }
+}
+
+TEST(EnergyBalance, OfARunThatGrowsFails) {
+  EXPECT_TRUE(balanceOf(swinging("explicit_euler", 0.2, 20.0)).fails());
+  EXPECT_TRUE(balanceOf(swinging("velocity_verlet", 2.02, 20.0)).fails());
+  for (const double h : {0.008, 0.02, 0.05}) {
+    EXPECT_TRUE(balanceOf(bouncing("symplectic_euler", h)).fails()) << h;
+  }
+  EXPECT_TRUE(balanceOf(bouncing("velocity_verlet", 0.008)).fails());
+  EXPECT_FALSE(balanceOf(bouncing("velocity_verlet", 0.0005)).fails());
+  EXPECT_THAT(energyFailure(balanceOf(bouncing("velocity_verlet", 0.008))),
+              ::testing::HasSubstr("the energy rises by"));
+}
+
+// A scene that something drives may gain.
+TEST(EnergyBalance, OfADrivenSceneNeverFails) {
+  Scene scene = sceneFrom(head + pair + "[[spring]]\nnodes = [0, 1]\nk = 100.0\nL0 = 1.0\n[[force]]\nnodes = [1]\n" +
+                          "F = 50.0\nfrequency = 1.6\n" + run);
+  scene.duration = 5.0;
+  const EnergyBalance balance = balanceOf(scene);
+  EXPECT_EQ(balance.fate, EnergyFate::Open);
+  EXPECT_GT(balance.highest, balance.scale);
+  EXPECT_FALSE(balance.fails());
+}
+
+// 1 km up, or flying by at 1e4 m/s: the same scale and the same balance, to the rounding of energies of 1e8 J.
+TEST(EnergyBalance, DoesNotDependOnTheFrame) {
+  const auto scene = [](double x, double v) {
+    const std::string nodes = "[[node]]\nx = " + std::to_string(x) + "\nv = " + std::to_string(v + 1.0) +
+                              "\nm = 1.0\n[[node]]\nx = " + std::to_string(x + 1.0) + "\nv = " + std::to_string(v) +
+                              "\nm = 2.0\n";
+    return sceneFrom(head + nodes + "[[spring]]\nnodes = [0, 1]\nk = 100.0\nL0 = 1.0\n" + engine::run);
+  };
+  const EnergyBalance here = balanceOf(scene(0.0, 0.0)), there = balanceOf(scene(1000.0, 1e4));
+  EXPECT_NEAR(here.scale, 0.5 * (1.0 * 4.0 / 9.0 + 2.0 * 1.0 / 9.0), 1e-12);  // of the relative motion alone
+  EXPECT_NEAR(there.scale, here.scale, 1e-8);
+  EXPECT_NEAR(there.highest, here.highest, 1e-6);
+  EXPECT_NEAR(there.lowest, here.lowest, 1e-6);
+}
+
+}  // namespace
+}  // namespace muelle::lab
