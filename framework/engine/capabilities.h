@@ -114,8 +114,10 @@ class Switching {
   /// Number of guards: functions of the state that change sign where the force switches.
   virtual int guardCount() const = 0;
   virtual void guards(double t, In x, In v, In z, Out g) const = 0;
-  /// Guard i in the user's words: "node 3 touches the plane 'ground'".
+  /// Guard i in the user's words, whichever way it is passed: "node 3 touches or leaves 'ground'".
   virtual std::string guardName(int i) const = 0;
+  /// What a zero of guard i has done, z being what cross() has made of it: "node 3 touches 'ground'".
+  virtual std::string eventName(int i, const State& /*after*/) const { return guardName(i); }
   /// Appends the declared times in (from, to] at which the force jumps, ascending.
   virtual void declaredTimes(double from, double to, std::vector<double>& times) const = 0;
   /// Sets z for the state, at the start of a run and after each accepted step. `frozen`: fix the modes (events are

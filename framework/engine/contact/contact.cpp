@@ -330,6 +330,14 @@ bool Contact<D, Shape>::balance(const Configuration& at, const double* f, double
 }
 
 template <int D, class Shape>
+std::string Contact<D, Shape>::eventName(int guard, const double* z) const {
+  const int node = guard / guardsPerNode();
+  if (guard % guardsPerNode() == 1) return guardName(guard);
+  const char* what = *own(node, z) == mode::closed ? "touches" : "leaves";
+  return fmt::format("node {} {} '{}'", users_[static_cast<std::size_t>(node)], what, obstacle_.name);
+}
+
+template <int D, class Shape>
 bool Contact<D, Shape>::isTouched(const Configuration& at) const {
   for (int i = 0; i < nodes(); ++i) {
     if (meet(i, at).acts) return true;

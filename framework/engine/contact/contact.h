@@ -72,6 +72,7 @@ class Contact final : public ForceBatch {
   int guardCount() const override { return nodes() * guardsPerNode(); }
   void guards(const Configuration& at, double* g) const override;
   std::string guardName(int i) const override;
+  std::string eventName(int guard, const double* z) const override;
   void declaredTimes(double from, double to, std::vector<double>& times) const override;
   bool commit(const Configuration& at, bool frozen, double* z) const override;
   bool wantsBalance() const override { return !atRest_.empty(); }

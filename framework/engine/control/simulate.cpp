@@ -362,7 +362,7 @@ bool Run::crossGuards() {
   const std::vector<int> crossed = locator_->crossed();
   for (const int guard : crossed) {
     switching_->cross(guard, from_);
-    addEvent(switching_->guardName(guard));
+    addEvent(switching_->eventName(guard, from_));
   }
   if (chatters(crossed)) goLive(crossed.front());
   return !crossed.empty();

@@ -39,7 +39,7 @@ struct RunOptions {
 /// Something found during a run, with its time.
 struct RunEvent {
   double t = 0.0;
-  std::string what;  ///< "node 3 touches the plane 'ground'", "declared time"
+  std::string what;  ///< "node 3 touches 'ground'", "declared time"
 };
 
 /// What a run leaves.

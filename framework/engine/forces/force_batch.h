@@ -74,6 +74,8 @@ class ForceBatch {
   virtual int guardCount() const { return 0; }
   virtual void guards(const Configuration&, double* /*g*/) const {}
   virtual std::string guardName(int) const { return {}; }
+  /// See Switching::eventName().
+  virtual std::string eventName(int guard, const double* /*z*/) const { return guardName(guard); }
   virtual void declaredTimes(double /*from*/, double /*to*/, std::vector<double>& /*times*/) const {}
   /// Sets the internal variables for the configuration; true when the force may have changed.
   virtual bool commit(const Configuration&, bool /*frozen*/, double* /*z*/) const { return false; }

@@ -310,6 +310,14 @@ bool Spring<D>::commit(const Configuration& at, bool frozen, double* z) const {
 }
 
 template <int D>
+std::string Spring<D>::eventName(int guard, const double* z) const {
+  const auto i = static_cast<std::size_t>(guard);
+  if (kind_ != SpringKind::Unilateral) return guardName(guard);
+  const bool closed = *internal(i, z) == mode::closed;
+  return fmt::format("spring {} {} at its rest length", springs_[i].userIndex, closed ? "begins to push" : "lets go");
+}
+
+template <int D>
 void Spring<D>::close(const Configuration& /*at*/, double* z) const {
   if (kind_ != SpringKind::Unilateral) return;
   for (std::size_t i = 0; i < springs_.size(); ++i) *internal(i, z) = mode::closed;

@@ -66,6 +66,7 @@ class Spring final : public ForceBatch {
   int guardCount() const override;
   void guards(const Configuration& at, double* g) const override;
   std::string guardName(int i) const override;
+  std::string eventName(int guard, const double* z) const override;
   bool commit(const Configuration& at, bool frozen, double* z) const override;
   void cross(int guard, const Configuration& at, double* z) const override;
   void close(const Configuration& at, double* z) const override;

@@ -323,6 +323,14 @@ void MassSpringSystem::cross(int guard, State& state) const {
   throw std::out_of_range("no such guard");
 }
 
+std::string MassSpringSystem::eventName(int i, const State& after) const {
+  for (const auto& batch : batches_) {
+    if (i < batch->guardCount()) return batch->eventName(i, after.z.data());
+    i -= batch->guardCount();
+  }
+  throw std::out_of_range("no such guard");
+}
+
 void MassSpringSystem::close(State& state) const {
   state.z.resize(static_cast<std::size_t>(internalSize_), 0.0);
   const std::vector<double> before = state.z;

@@ -82,6 +82,7 @@ class MassSpringSystem final : public ModelSystem,
   int guardCount() const override { return guardCount_; }
   void guards(double t, In x, In v, In z, Out g) const override;
   std::string guardName(int i) const override;
+  std::string eventName(int i, const State& after) const override;
   void declaredTimes(double from, double to, std::vector<double>& times) const override;
   bool commit(State& state, bool frozen) const override;
   void cross(int guard, State& state) const override;
