@@ -74,7 +74,10 @@ NumericalDamping numericalDamping(const System& system, Method& method, const St
   if (system.switching() != nullptr) system.switching()->commit(first, false);
   std::vector<Mode> modes;
   addModes(system, first, modes);
-  const int pilotSteps = static_cast<int>(std::min(10.0, steps / 20.0));
+  // The looks take some 300 products with the matrices; the second half of them only where that is a twentieth of the
+  // run.
+  const double evaluations = steps * std::max(1, method.info().stages);
+  const int pilotSteps = evaluations < 6000.0 ? 0 : static_cast<int>(std::min(10.0, steps / 20.0));
   if (pilotSteps > 0) addModes(system, pilot(system, method, first, h, pilotSteps), modes);
 
   double total = 0.0;

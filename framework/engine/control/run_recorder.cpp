@@ -2,6 +2,7 @@
 
 #include "engine/control/step_grid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -18,7 +19,30 @@ void RunRecorder::record(const State& state) {
     trajectory_.x.clear();
     trajectory_.v.clear();
     for (Track& track : trajectory_.tracks) track.values.clear();
+  } else if (count_++ % stride_ != 0) {
+    return;
   }
+  append(state);
+  const double row = 2.0 * sizeof(double) * static_cast<double>(state.x.size()) + 64.0;
+  const double most = std::max(1000.0, options_.mostMemory / row);
+  if (options_.sampleTimes.empty() && static_cast<double>(trajectory_.t.size()) > most) thin();
+}
+
+/// Drops every second output but the first, now and from now on.
+void RunRecorder::thin() {
+  const auto halve = [](auto& values) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < values.size(); i += 2) std::swap(values[kept++], values[i]);
+    values.resize(kept);
+  };
+  halve(trajectory_.t);
+  halve(trajectory_.x);
+  halve(trajectory_.v);
+  for (Track& track : trajectory_.tracks) halve(track.values);
+  stride_ *= 2;
+}
+
+void RunRecorder::append(const State& state) {
   trajectory_.t.push_back(state.t);
   trajectory_.x.push_back(state.x);
   trajectory_.v.push_back(state.v);
@@ -28,7 +52,7 @@ void RunRecorder::record(const State& state) {
 }
 
 void RunRecorder::recordOnce(const State& state) {
-  if (trajectory_.t.empty() || trajectory_.t.back() != state.t) record(state);
+  if (trajectory_.t.empty() || trajectory_.t.back() != state.t) append(state);
 }
 
 double RunRecorder::due() const {

@@ -17,14 +17,21 @@ class RunRecorder {
   /// Records `state`, which a step has reached, when an output is due there.
   void recordEnd(const State& state, bool asked);
   Trajectory finish(StopReport stop);
+  /// One output in so many is kept, so that they fit into the memory that they may take; a power of 2.
+  long long kept() const { return stride_; }
 
  private:
   /// The next output time; infinite when none is left, or when every step is recorded.
   double due() const;
 
+  void append(const State& state);
+  void thin();
+
   const RunOptions& options_;
   double start_;
-  long long next_ = 1;  // the next multiple of the output interval, or sample time counted from 1
+  long long stride_ = 1;
+  long long count_ = 0;  // of the outputs, recorded or not
+  long long next_ = 1;   // the next multiple of the output interval, or sample time counted from 1
   bool endDue_ = false;
   State inside_;
   Trajectory trajectory_;

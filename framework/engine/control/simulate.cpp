@@ -136,7 +136,7 @@ RunResult Run::go() {
     recorder_.record(from_);
   }
   RunResult result = finish();
-  result.wallTime = std::chrono::duration<double>(Clock::now() - begun).count();
+  result.wallTime = std::chrono::duration<double>(Clock::now() - begun).count() - result.checkTime;
   return result;
 }
 
@@ -178,8 +178,11 @@ void Run::lookAtStabilityAgain() {
 void Run::begin() {
   method_.prepare(system_, options_.tolerance);  // first of all: it says what the system lacks
   if (options_.checkStability || options_.checkNumericalDamping) {
+    using Clock = std::chrono::steady_clock;
+    const auto begun = Clock::now();
     warnBefore();
     method_.prepare(system_, options_.tolerance);
+    result_.checkTime = std::chrono::duration<double>(Clock::now() - begun).count();
   }
   method_.resetWork();
   if (switching_ != nullptr) switching_->commit(from_, frozen_);
@@ -437,6 +440,10 @@ void Run::addEvent(std::string what) {
 
 RunResult Run::finish() {
   recorder_.recordOnce(from_);
+  if (recorder_.kept() > 1) {
+    result_.warnings.push_back(fmt::format("the outputs would take more than {:.0f} MiB: every {}th is kept",
+                                           options_.mostMemory / (1024.0 * 1024.0), recorder_.kept()));
+  }
   result_.trajectory = recorder_.finish(std::move(report_));
   result_.last = std::move(from_);
   const Work own = result_.work;

@@ -32,6 +32,9 @@ struct RunOptions {
   bool checkNumericalDamping = true;  ///< warn when the method damps modes that carry energy more than the scene does
   /// Record every output; false keeps only the last one, though the probes are called at each (long runs).
   bool keepStates = true;
+  /// What the recorded states may take [byte]. Beyond it every second one is dropped, again and again, and a warning
+  /// says so; the first and the last stay.
+  double mostMemory = 512.0 * 1024.0 * 1024.0;
   double explosion = 1e6;  ///< stop when the kinetic energy exceeds this multiple of its natural scale
   std::string label = {};  ///< of the progress bar; empty: none
 };
@@ -51,7 +54,8 @@ struct RunResult {
   std::vector<RunEvent> events;       ///< at most 10000 are kept; work.events counts all
   long long subdividedSteps = 0;      ///< steps cut so that nothing passes through an obstacle
   double smallestStep = 0.0;          ///< [s] taken
-  double wallTime = 0.0;              ///< [s]
+  double wallTime = 0.0;              ///< [s] of the run itself
+  double checkTime = 0.0;             ///< [s] of the looks at stability and numerical damping before it
 
   bool failed() const { return trajectory.stop.stopped; }
 };

@@ -101,7 +101,7 @@ TEST(Events, ElevenBouncesInTenSecondsByAdaptiveSteps) {
   const auto method = testing::bogackiShampine();
   RunOptions options;
   options.duration = 10.0;
-  options.tolerance = {1e-9, 1e-9};
+  options.tolerance = {.relative = 1e-9};
   options.outputInterval = 10.0;
   const RunResult run = simulate(balls, *method, ballsAt({1.0}), options);
   ASSERT_FALSE(run.failed()) << run.trajectory.stop.message;

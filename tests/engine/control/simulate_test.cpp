@@ -45,12 +45,45 @@ TEST(FixedStep, TheRoundingOfTheGridMakesNoStepOfItsOwn) {
   EXPECT_EQ(run.smallestStep, options.h);
 }
 
+TEST(Outputs, ThatWouldTakeTooMuchMemoryAreThinnedEvenly) {
+  const LinearSystem system(1.0, 0.0);
+  const auto method = testing::classicalRungeKutta();
+  RunOptions options;
+  options.h = 0.01;
+  options.duration = 50.0;
+  options.mostMemory = 1.0;  // at least a thousand rows are kept
+  options.probes.push_back({"position", "m", [](const State& state) { return state.x[0]; }});
+  const RunResult run = simulate(system, *method, oscillatorAt(1.0, 0.0), options);
+  const Trajectory& path = run.trajectory;
+  ASSERT_EQ(path.t.size(), 626U);  // 5001 outputs, every eighth, and the last that is one of them
+  for (std::size_t i = 0; i < path.t.size(); ++i) {
+    EXPECT_NEAR(path.t[i], 0.08 * static_cast<double>(i), 1e-12);
+    EXPECT_NEAR(path.x[i][0], std::cos(path.t[i]), 1e-8);
+    EXPECT_EQ(path.tracks[0].values[i], path.x[i][0]);
+  }
+  ASSERT_EQ(run.warnings.size(), 1U);
+  EXPECT_NE(run.warnings[0].find("every 8th is kept"), std::string::npos) << run.warnings[0];
+}
+
+TEST(Outputs, AtGivenTimesAreThoseOfTheMotionAndEndNoStep) {
+  const LinearSystem system(1.0, 0.0);
+  const auto method = testing::classicalRungeKutta();
+  RunOptions options;
+  options.h = 0.01;
+  options.duration = 1.0;
+  options.sampleTimes = {0.123, 0.5, 0.5049, 1.0};
+  const RunResult run = simulate(system, *method, oscillatorAt(1.0, 0.0), options);
+  ASSERT_EQ(run.trajectory.t, (std::vector<double>{0.0, 0.123, 0.5, 0.5049, 1.0}));
+  EXPECT_EQ(run.work.steps, 100);
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(run.trajectory.x[i][0], std::cos(run.trajectory.t[i]), 1e-9);
+}
+
 TEST(AdaptiveStep, KeepsTheToleranceAndHitsTheOutputTimes) {
   const LinearSystem system(3.0, 0.2);
   const auto method = testing::bogackiShampine();
   RunOptions options;
   options.duration = 5.0;
-  options.tolerance = {1e-9, 1e-9};
+  options.tolerance = {.relative = 1e-9};
   options.outputTimes = {0.7, 1.3000000000000003, 4.0};
   options.outputInterval = 100.0;
   const RunResult run = simulate(system, *method, oscillatorAt(1.0, 0.0), options);

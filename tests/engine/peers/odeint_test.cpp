@@ -91,7 +91,7 @@ void expectAgreement(const Model& model, double duration, const Forces& forces, 
     RunOptions options;
     options.duration = duration;
     options.h = method->info().adaptive ? 0.0 : h;
-    options.tolerance = {1e-14, 1e-14};
+    options.tolerance = {.relative = 1e-14};
     options.outputInterval = duration;
     options.largestStep = 0.1;  // asked for where a force depends on time without declared times
     options.checkNumericalDamping = options.checkStability = false;
