@@ -1,5 +1,7 @@
 #include "engine/scene/generators.h"
 
+#include "base/text/count.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
@@ -238,7 +240,8 @@ double areaOf(const SurfaceMesh& mesh) {
 }  // namespace
 
 Part addChain(Model& model, const ChainShape& shape) {
-  if (shape.n < 2) throw std::invalid_argument(fmt::format("a chain of {} nodes; at least 2 are needed", shape.n));
+  if (shape.n < 2)
+    throw std::invalid_argument(fmt::format("a chain of {}; at least 2 are needed", counted(shape.n, "node")));
   if (!((shape.to - shape.from).norm() > 0.0)) throw std::invalid_argument("a chain begins and ends at one point");
   Part part = beginPart(model, static_cast<std::size_t>(shape.n));
   for (int i = 0; i < shape.n; ++i) {

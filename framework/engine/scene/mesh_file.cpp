@@ -1,7 +1,8 @@
 #include "engine/scene/mesh_file.h"
 
 #include "base/file.h"
-#include "base/toml/value.h"
+#include "base/text/count.h"
+#include "base/text/printable.h"
 #include "engine/scene/mesh_text.h"
 #include "engine/scene/polygon_list.h"
 
@@ -35,8 +36,8 @@ std::int64_t objIndex(std::string_view word, std::size_t vertexCount, const Mesh
     at.fail(fmt::format("'{}' is no corner of a {}; they are counted from 1", shownWord(word), what));
   }
   if (index < -static_cast<std::int64_t>(vertexCount)) {
-    at.fail(
-        fmt::format("a {} names vertex {}, counted back from its line; {} stand above it", what, index, vertexCount));
+    at.fail(fmt::format("a {} names vertex {}, counted back from its line; {} above it", what, index,
+                        vertexCount == 1 ? "1 stands" : fmt::format("{} stand", vertexCount)));
   }
   return index > 0 ? index - 1 : static_cast<std::int64_t>(vertexCount) + index;
 }
@@ -128,18 +129,19 @@ SurfaceMesh parseOff(std::string_view bytes, const std::string& name, MeshPart w
   skipEdgeCount(text);
   const std::size_t bytesLeft = text.rest().size();
   // The shortest vertex is "0 0 0" and the shortest face "3 0 1 2", each with its end of line.
-  const int vertexCount = checkedCount(text, vertices, "vertices", mostVertices, bytesLeft + 1, 6);
-  const int faceCount = checkedCount(text, faces, "faces", mostFaces, bytesLeft + 1, 4);
+  const int vertexCount = checkedCount(text, vertices, "vertex", mostVertices, bytesLeft + 1, 6);
+  const int faceCount = checkedCount(text, faces, "face", mostFaces, bytesLeft + 1, 4);
   SurfaceMesh mesh;
   mesh.vertices.reserve(static_cast<std::size_t>(vertexCount));
   for (int i = 0; i < vertexCount; ++i) {
-    if (!text.nextLine('#')) text.fail(fmt::format("the file ends after {} of {} vertices", i, vertexCount));
+    if (!text.nextLine('#'))
+      text.fail(fmt::format("the file ends after {} of {}", i, counted(vertexCount, "vertex", "vertices")));
     mesh.vertices.push_back(readVertex(text));
   }
   PolygonList polygons;
   std::vector<std::int64_t> corners;
   for (int i = 0; i < faceCount; ++i) {
-    if (!text.nextLine('#')) text.fail(fmt::format("the file ends after {} of {} faces", i, faceCount));
+    if (!text.nextLine('#')) text.fail(fmt::format("the file ends after {} of {}", i, counted(faceCount, "face")));
     const std::int64_t count = text.integer();
     if (count < 1 || count > static_cast<std::int64_t>(mostCorners)) {
       text.fail(fmt::format("a face has {} corners; up to {} are read", count, mostCorners));
@@ -155,7 +157,7 @@ SurfaceMesh parseOff(std::string_view bytes, const std::string& name, MeshPart w
 SurfaceMesh readMeshFile(const std::filesystem::path& file, MeshPart wanted) {
   std::string extension = file.extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  const std::string name = shownPath(file);
+  const std::string name = printableLine(file.string());
   if (extension != ".obj" && extension != ".ply" && extension != ".off") {
     throw std::runtime_error(fmt::format("{}: a mesh is a file .obj, .ply or .off", name));
   }

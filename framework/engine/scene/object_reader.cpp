@@ -1,5 +1,6 @@
 #include "engine/scene/object_reader.h"
 
+#include "base/text/count.h"
 #include "base/text/printable.h"
 #include "engine/scene/connectivity.h"
 #include "engine/scene/mesh_file.h"
@@ -111,8 +112,8 @@ Part readBox(const TableReader& table, Model& model) {
 }
 
 /// Adds "3 things", or nothing where there are none.
-void addCount(std::vector<std::string>& words, int count, const char* one, const char* several) {
-  if (count > 0) words.push_back(fmt::format("{} {}", count, count == 1 ? one : several));
+void addCount(std::vector<std::string>& words, int count, const std::string& one, const std::string& several) {
+  if (count > 0) words.push_back(counted(count, one, several));
 }
 
 /// What of a mesh is perhaps not meant, in one sentence; empty when nothing is.
@@ -123,11 +124,11 @@ std::string doubtsAbout(const SurfaceMesh& mesh, const Connectivity& found, cons
   addCount(words, mesh.linesLeftOut, "line from a node to itself, or given before, is left out",
            "lines from a node to itself, or given before, are left out");
   const char* what = mesh.lines.empty() ? "face" : "line";
-  addCount(words, found.unused, fmt::format("vertex of no {} is no node", what).c_str(),
-           fmt::format("vertices of no {} are no nodes", what).c_str());
+  addCount(words, found.unused, fmt::format("vertex of no {} is no node", what),
+           fmt::format("vertices of no {} are no nodes", what));
   if (found.pieces > 1) words.push_back(fmt::format("{} pieces that nothing joins", found.pieces));
   const bool shared = found.places < found.vertices;
-  if (shared) words.push_back(fmt::format("{} vertices at {} places", found.vertices, found.places));
+  if (shared) words.push_back(fmt::format("{} vertices at {}", found.vertices, counted(found.places, "place")));
   if (words.empty()) return "";
   return fmt::format("mesh '{}': {}{}", printableLine(name), fmt::join(words, ", "),
                      shared ? "; weld = true makes one node of those at the same place" : "");

@@ -295,7 +295,7 @@ SurfaceMesh parsePly(std::string_view bytes, const std::string& name, MeshPart w
   for (const Element& element : header.elements) {
     if (element.count == 0) continue;
     // A name of the file stands in this message only when it is one of the two that count.
-    const char* what = element.name == "vertex" ? "vertices" : element.name == "face" ? "faces" : "elements";
+    const char* what = element.name == "vertex" ? "vertex" : element.name == "face" ? "face" : "element";
     checkedCount(text, element.count, what, static_cast<int>(mostElements), body.bytesLeft(),
                  leastBytes(element, body.isBinary()));
     readElements(body, element, wanted, mesh, polygons, text);

@@ -40,8 +40,9 @@ std::vector<int> PolygonList::checkedCorners(const Polygon& polygon, std::size_t
   std::vector<int> corners;
   for (std::size_t i = begin; i < polygon.end; ++i) {
     if (corners_[i] < 0 || corners_[i] >= count) {
-      at.failAt(polygon.line, fmt::format("a {} names vertex {} (counted from {}); there are {}",
-                                          polygon.isLine ? "line" : "face", corners_[i] + counted, counted, count));
+      at.failAt(polygon.line,
+                fmt::format("a {} names vertex {} (counted from {}); there {} {}", polygon.isLine ? "line" : "face",
+                            corners_[i] + counted, counted, count == 1 ? "is" : "are", count));
     }
     corners.push_back(static_cast<int>(corners_[i]));
   }

@@ -123,7 +123,7 @@ TEST(Rope, ComplaintsSayWhatIsWrong) {
   EXPECT_EQ(ropeComplaint("v 0 0 0\n", object), "rope.obj:1: no line");
   EXPECT_EQ(ropeComplaint("v 0 0 0\nl 1 1\n", object), "rope.obj:2: no line that has two different ends");
   EXPECT_EQ(ropeComplaint("v 0 0 0\nl 1 3\n", object),
-            "rope.obj:2: a line names vertex 3 (counted from 1); there are 1");
+            "rope.obj:2: a line names vertex 3 (counted from 1); there is 1");
   EXPECT_NE(ropeComplaint("v 0 0 0\nv 0 0 0\nl 1 2\n", object).find("has length 0; weld = true"), std::string::npos);
   EXPECT_NE(ropeComplaint("v 0 0 0\nv 1 1 0\nl 1 2\n", object, "dimension = 2\n").find("leave the plane of the scene"),
             std::string::npos);
