@@ -4,6 +4,7 @@
 #include "base/command_line.h"
 #include "base/errors.h"
 #include "base/progress_bar.h"
+#include "base/text/count.h"
 #include "base/text/nearest.h"
 #include "base/text/printable.h"
 #include "figure_list.h"
@@ -69,7 +70,7 @@ int draw(const Command& command) {
     muelle::writeFigures({figure.draw()}, command.out, formats);
     progress.update(++done / static_cast<double>(figures.size()));
   }
-  fmt::print("{} figure{} in {}\n", figures.size(), figures.size() == 1 ? "" : "s",
+  fmt::print("{} in {}\n", muelle::counted(std::ssize(figures), "figure"),
              std::filesystem::path(command.out).lexically_normal().string());
   return 0;
 }

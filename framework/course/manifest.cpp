@@ -125,7 +125,7 @@ std::vector<std::string> topicsOf(const std::vector<Manifest>& course) {
 }  // namespace
 
 Manifest readManifest(const std::filesystem::path& file) {
-  const TomlValue root = readToml(file);
+  const TomlValue root = readToml(file, shownPath(file));
   return interpret(TomlTable(root, shownPath(file), "the manifest"), file.parent_path().filename().string());
 }
 

@@ -32,7 +32,7 @@ void addSide(Figure::PanelBuilder& panel, const engine::ModelSystem& system, con
 
 }  // namespace
 
-/// Slide "Contacto Externo": the lecture's rabbit, squeezed between two planes until it no longer moves.
+/// Slide "Contacto Externo": a rabbit as the lecture's, squeezed between two planes until it no longer moves.
 Figure rabbit() {
   engine::Scene scene =
       engine::readScene(std::filesystem::path(build_paths::source) / "framework/engine/scenes/rabbit_squeezed.toml");

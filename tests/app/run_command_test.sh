@@ -39,6 +39,8 @@ expect 2 "SCENE is missing"
 expect 2 "did you mean 'oscillator'?" oscilator
 expect 2 "no scene file" missing/scene.toml
 expect 2 "did you mean 'dop853'?" oscillator --method dop85
+expect 2 "no method 'rk4'; here it is 'runge_kutta_4'" oscillator --method rk4
+expect 0 "2 nodes, 1 spring, 1 unknown" oscillator --no-error-estimate
 expect 2 "--step is 0 s" oscillator --step 0
 expect 2 "--step is nan s" oscillator --step nan
 expect 2 "has no error estimate" oscillator --tolerance 1e-6
@@ -50,5 +52,5 @@ expect 0 "bouncing_ball" bouncing_ball --events off --duration 0.1
 expect 2 "--events" bouncing_ball --events maybe
 expect 2 "velocity" dumbbell --method nystrom8
 printf 'title = "x"\ngravty = 3\n' >"$folder/bad.toml"
-expect 2 "bad.toml:2: key 'gravty': unknown; did you mean 'gravity'?" "$folder/bad.toml"
+expect 2 "$folder/bad.toml:2: key 'gravty': unknown; did you mean 'gravity'?" "$folder/bad.toml"
 exit $((failures > 0))

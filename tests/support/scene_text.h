@@ -3,6 +3,7 @@
 #include "engine/scene/scene.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <string>
 
 namespace muelle::engine {
@@ -15,12 +16,13 @@ inline Scene sceneFrom(const std::string& text) {
   return readScene(folder.path() / "scenes" / "test.toml");
 }
 
-/// The message of what reading the text throws; "" when it throws nothing.
+/// The message of what reading the text throws, its file as "scenes/test.toml"; "" when it throws nothing.
 inline std::string complaintAbout(const std::string& text) {
   try {
     sceneFrom(text);
   } catch (const std::runtime_error& error) {
-    return error.what();
+    const std::string message = error.what();
+    return message.substr(std::min(message.find("scenes/test.toml"), message.size()));
   }
   return "";
 }

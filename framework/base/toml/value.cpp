@@ -74,17 +74,17 @@ std::string shownPath(const std::filesystem::path& file) {
   return (file.parent_path().filename() / file.filename()).string();
 }
 
-TomlValue readToml(const std::filesystem::path& file) {
+TomlValue readToml(const std::filesystem::path& file, const std::string& name) {
   std::error_code ignored;
   if (std::filesystem::is_regular_file(file) && std::filesystem::file_size(file, ignored) > largestFile) {
-    throw std::runtime_error(fmt::format("{}: larger than 1 MiB; large data belong in a mesh file", shownPath(file)));
+    throw std::runtime_error(fmt::format("{}: larger than 1 MiB; large data belong in a mesh file", name));
   }
   const std::string text = readFile(file);
   try {
     return convert(toml::parse(text));
   } catch (const toml::parse_error& error) {
-    throw std::runtime_error(fmt::format("{}:{}: {}", shownPath(file), std::max(1u, error.source().begin.line),
-                                         std::string(error.description())));
+    throw std::runtime_error(
+        fmt::format("{}:{}: {}", name, std::max(1u, error.source().begin.line), std::string(error.description())));
   }
 }
 

@@ -32,10 +32,10 @@ struct TomlEntry {
   TomlValue second;
 };
 
-/// Reads a TOML file. Throws std::runtime_error "FILE:LINE: what is wrong"; files above 1 MiB are refused.
-TomlValue readToml(const std::filesystem::path& file);
-
-/// "folder/file.toml": how messages name a file.
+/// "folder/file.toml": how messages name a file of the course, whose folders are known.
 std::string shownPath(const std::filesystem::path& file);
+
+/// Reads a TOML file. Throws std::runtime_error "NAME:LINE: what is wrong"; files above 1 MiB are refused.
+TomlValue readToml(const std::filesystem::path& file, const std::string& name);
 
 }  // namespace muelle

@@ -1,5 +1,6 @@
 #include "course/check/diagnostics.h"
 
+#include "base/text/count.h"
 #include "base/text/printable.h"
 #include "base/text/words.h"
 #include "course/check/explanations.h"
@@ -315,11 +316,11 @@ std::string showDiagnostics(const std::vector<Diagnostic>& diagnostics, const st
     if (file != files.end()) text += sourceLine(file->text, d.line, d.column);
     if (!d.explanation.empty()) text += fmt::format("      = {}\n", d.explanation);
   }
-  const std::size_t more = diagnostics.size() - shown;
+  const auto more = static_cast<long long>(diagnostics.size() - shown);
   if (more > 0 && shown > 0) {
     text += diagnostics.front().isError
-                ? fmt::format("and {} more error{}, which may go away with the first\n", more, more == 1 ? "" : "s")
-                : fmt::format("and {} more warning{}\n", more, more == 1 ? "" : "s");
+                ? fmt::format("and {} more {}, which may go away with the first\n", more, nounFor(more, "error"))
+                : fmt::format("and {} more {}\n", more, nounFor(more, "warning"));
   }
   return printableText(text);
 }

@@ -1,5 +1,7 @@
 #include "engine/analysis/convergence.h"
 
+#include "base/text/count.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
@@ -11,7 +13,8 @@ namespace {
 
 void check(std::span<const double> hs, std::span<const double> errors) {
   if (hs.size() != errors.size()) {
-    throw std::invalid_argument(fmt::format("fitOrder: {} steps but {} errors", hs.size(), errors.size()));
+    throw std::invalid_argument(
+        fmt::format("fitOrder: {} but {}", counted(std::ssize(hs), "step"), counted(std::ssize(errors), "error")));
   }
   for (std::size_t i = 0; i < hs.size(); ++i) {
     if (!(hs[i] > 0.0) || (i > 0 && !(hs[i] < hs[i - 1]))) {

@@ -1,5 +1,7 @@
 #include "engine/control/run_checks.h"
 
+#include "base/text/count.h"
+
 #include <fmt/format.h>
 #include <cmath>
 #include <stdexcept>
@@ -78,13 +80,14 @@ void checkSizes(const System& system, const State& start) {
   const auto size = static_cast<std::size_t>(system.size());
   require(size > 0, "the system has no unknown");
   require(start.x.size() == size && start.v.size() == size,
-          fmt::format("the state has {} positions and {} velocities, the system {} unknowns", start.x.size(),
-                      start.v.size(), size));
+          fmt::format("the state has {} and {}, the system {}", counted(std::ssize(start.x), "position"),
+                      counted(std::ssize(start.v), "velocity", "velocities"), counted(system.size(), "unknown")));
   const auto internal = static_cast<std::size_t>(system.internalSize());
   require(start.z.empty() || start.z.size() == internal,
-          fmt::format("the state has {} internal variables, the system {}", start.z.size(), internal));
+          fmt::format("the state has {}, the system {}", counted(std::ssize(start.z), "internal variable"), internal));
   const std::span<const double> mass = system.mass();
-  require(mass.size() == size, fmt::format("{} masses for {} unknowns", mass.size(), size));
+  require(mass.size() == size,
+          fmt::format("{} for {}", counted(std::ssize(mass), "mass", "masses"), counted(system.size(), "unknown")));
   for (std::size_t i = 0; i < size; ++i) {
     require(isPositive(mass[i]), fmt::format("{}: the mass is {} kg; a mass is positive and finite",
                                              system.unknownName(static_cast<int>(i)), mass[i]));

@@ -1,6 +1,7 @@
 #include "engine/control/simulate.h"
 
 #include "base/progress_bar.h"
+#include "base/text/count.h"
 #include "engine/analysis/numerical_damping.h"
 #include "engine/analysis/stability.h"
 #include "engine/control/event_locator.h"
@@ -412,14 +413,15 @@ void Run::updateModes(bool jump) {
 bool Run::limitsHold() {
   if (stops_.finished()) return true;
   if (result_.work.steps >= options_.mostSteps) {
-    return stop({true, from_.t, -1,
-                 fmt::format("t = {:.6g} s: the limit of {} steps is reached", from_.t, options_.mostSteps)});
+    return stop(
+        {true, from_.t, -1,
+         fmt::format("t = {:.6g} s: the limit of {} is reached", from_.t, counted(options_.mostSteps, "step"))});
   }
   const long long evaluations = result_.work.forceEvaluations + method_.work().forceEvaluations;
   if (evaluations < options_.mostForceEvaluations) return true;
   return stop({true, from_.t, -1,
-               fmt::format("t = {:.6g} s: the limit of {} force evaluations is reached", from_.t,
-                           options_.mostForceEvaluations)});
+               fmt::format("t = {:.6g} s: the limit of {} is reached", from_.t,
+                           counted(options_.mostForceEvaluations, "force evaluation"))});
 }
 
 /// Takes the report; true when there is nothing to stop for.

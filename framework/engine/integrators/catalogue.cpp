@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <stdexcept>
+#include <utility>
 
 namespace muelle::engine {
 
@@ -48,13 +49,81 @@ const std::vector<MethodInfo>& allInfo() {
   return infos;
 }
 
+/// What methods are called elsewhere, in small letters without anything between words, and their ids here.
+constexpr std::pair<std::string_view, std::string_view> namesElsewhere[] = {
+    {"euler", "explicit_euler"},
+    {"forwardeuler", "explicit_euler"},
+    {"semiimpliciteuler", "symplectic_euler"},
+    {"semiexpliciteuler", "symplectic_euler"},
+    {"eulercromer", "symplectic_euler"},
+    {"midpoint", "explicit_midpoint"},
+    {"rk2", "explicit_midpoint"},
+    {"leapfrog", "velocity_verlet"},
+    {"verlet", "velocity_verlet"},
+    {"stormerverlet", "velocity_verlet"},
+    {"stoermerverlet", "velocity_verlet"},
+    {"centraldifference", "velocity_verlet"},
+    {"centraldifferences", "velocity_verlet"},
+    {"rk4", "runge_kutta_4"},
+    {"rungekutta", "runge_kutta_4"},
+    {"classicalrungekutta", "runge_kutta_4"},
+    {"ode45", "dormand_prince_5"},
+    {"rk45", "dormand_prince_5"},
+    {"rk5", "dormand_prince_5"},
+    {"dopri", "dormand_prince_5"},
+    {"dopri5", "dormand_prince_5"},
+    {"dp5", "dormand_prince_5"},
+    {"dormandprince", "dormand_prince_5"},
+    {"dopri8", "dop853"},
+    {"dopri853", "dop853"},
+    {"rk8", "dop853"},
+    {"ode78", "dop853"},
+    {"rkn86", "nystrom8"},
+    {"rkn1210", "nystrom12"},
+    {"yoshida", "yoshida4"},
+    {"forestruth", "yoshida4"},
+    {"kahanli", "kahan_li_8"},
+    {"rkc", "rkc2"},
+    {"rungekuttachebyshev", "rkc2"},
+    {"baraffwitkin", "linearised_backward_euler"},
+    {"linearlyimpliciteuler", "linearised_backward_euler"},
+    {"linearizedbackwardeuler", "linearised_backward_euler"},
+    {"impliciteuler", "backward_euler"},
+    {"bdf1", "backward_euler"},
+    {"bdf", "bdf2"},
+    {"gear2", "bdf2"},
+    {"trapezoid", "newmark"},
+    {"trapezoidal", "newmark"},
+    {"trapezoidalrule", "newmark"},
+    {"cranknicolson", "newmark"},
+    {"cranknicholson", "newmark"},
+    {"newmarkbeta", "newmark"},
+    {"averageacceleration", "newmark"},
+    {"gauss1", "implicit_midpoint"},
+    {"gonzalez", "discrete_gradient"},
+    {"averagevectorfield", "discrete_gradient"},
+    {"pbd", "xpbd"},
+    {"positionbaseddynamics", "xpbd"},
+    {"pd", "projective_dynamics"},
+};
+
+/// "RK-4" is "rk4": small letters and digits alone.
+std::string bare(std::string_view word) {
+  std::string letters;
+  for (const char c : word) {
+    if (c >= 'A' && c <= 'Z') letters += static_cast<char>(c - 'A' + 'a');
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) letters += c;
+  }
+  return letters;
+}
+
 std::size_t indexOf(std::string_view id) {
   const std::vector<std::string>& ids = methodIds();
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (ids[i] == id) return i;
   }
   const std::string word(id);
-  throw std::invalid_argument(fmt::format("no method '{}'{}", printableLine(word), suggestion(word, ids)));
+  throw std::invalid_argument(fmt::format("no method '{}'{}", printableLine(word), methodSuggestion(word)));
 }
 
 }  // namespace
@@ -66,6 +135,17 @@ const std::vector<std::string>& methodIds() {
     return all;
   }();
   return ids;
+}
+
+std::string methodSuggestion(const std::string& word) {
+  const std::string letters = bare(word);
+  for (const std::string& id : methodIds()) {
+    if (bare(id) == letters) return fmt::format("; here it is '{}'", id);
+  }
+  for (const auto& [name, id] : namesElsewhere) {
+    if (name == letters) return fmt::format("; here it is '{}'", id);
+  }
+  return suggestion(word, methodIds());
 }
 
 std::unique_ptr<Method> makeMethod(std::string_view id) { return makers[indexOf(id)](); }

@@ -1,5 +1,7 @@
 #include "engine/model/validate.h"
 
+#include "base/text/count.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
@@ -195,7 +197,8 @@ void checkProperties(const Model& model) {
     const ModelProperty& property = model.properties[i];
     const std::string item = fmt::format("property {}", i);
     if (property.nodes.size() != property.weights.size()) {
-      reject(item, fmt::format("has {} nodes and {} weights", property.nodes.size(), property.weights.size()));
+      reject(item, fmt::format("has {} and {}", counted(std::ssize(property.nodes), "node"),
+                               counted(std::ssize(property.weights), "weight")));
     }
     requireNodes(model, item, property.nodes);
     requireStiffness(item, "stiffness k", property.k);

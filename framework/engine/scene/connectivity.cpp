@@ -34,10 +34,13 @@ std::vector<bool> usedBy(const SurfaceMesh& mesh) {
   for (const Triangle& t : mesh.triangles) {
     for (const int i : t) used[static_cast<std::size_t>(i)] = true;
   }
+  for (const Line& line : mesh.lines) {
+    for (const int i : line) used[static_cast<std::size_t>(i)] = true;
+  }
   return used;
 }
 
-/// Keeps some of the vertices, in their order; no triangle has another one.
+/// Keeps some of the vertices, in their order; no triangle and no line has another one.
 void keepVertices(SurfaceMesh& mesh, const std::vector<bool>& keeps) {
   std::vector<int> now(mesh.vertices.size());
   std::vector<Vec3> kept;
@@ -49,6 +52,18 @@ void keepVertices(SurfaceMesh& mesh, const std::vector<bool>& keeps) {
   for (Triangle& t : mesh.triangles) {
     for (int& i : t) i = now[static_cast<std::size_t>(i)];
   }
+  for (Line& line : mesh.lines) {
+    for (int& i : line) i = now[static_cast<std::size_t>(i)];
+  }
+}
+
+/// Leaves out the lines from a vertex to itself, and those that are there already.
+void dropRepeatedLines(SurfaceMesh& mesh) {
+  std::set<Line> there;
+  const std::size_t gone = std::erase_if(mesh.lines, [&](const Line& line) {
+    return line[0] == line[1] || !there.insert({std::min(line[0], line[1]), std::max(line[0], line[1])}).second;
+  });
+  mesh.linesLeftOut += static_cast<int>(gone);
 }
 
 }  // namespace
@@ -61,6 +76,7 @@ Connectivity connectivityOf(const SurfaceMesh& mesh) {
     sets.join(t[0], t[1]);
     sets.join(t[1], t[2]);
   }
+  for (const Line& line : mesh.lines) sets.join(line[0], line[1]);
   std::set<int> pieces;
   std::set<int> places;
   Connectivity result;
@@ -86,6 +102,10 @@ void weld(SurfaceMesh& mesh) {
   const std::size_t gone =
       std::erase_if(mesh.triangles, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
   mesh.facesLeftOut += static_cast<int>(gone);
+  for (Line& line : mesh.lines) {
+    for (int& i : line) i = first[static_cast<std::size_t>(i)];
+  }
+  dropRepeatedLines(mesh);
   std::vector<bool> isFirst(first.size());
   for (std::size_t i = 0; i < first.size(); ++i) isFirst[i] = first[i] == static_cast<int>(i);
   keepVertices(mesh, isFirst);

@@ -1,5 +1,7 @@
 #include "engine/scene/generators.h"
 
+#include "base/text/count.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
@@ -198,6 +200,32 @@ void connectTetrahedra(Model& model, const std::vector<std::array<int, 4>>& tetr
   for (const auto& [a, b] : edges) connect(model, a, b, material);
 }
 
+/// Straightens every node that lies between two lines and no more.
+void addAngles(Model& model, int firstNode, const SurfaceMesh& mesh, double stiffness) {
+  std::vector<std::vector<int>> neighbours(mesh.vertices.size());
+  for (const auto& [a, b] : mesh.lines) {
+    neighbours[static_cast<std::size_t>(a)].push_back(firstNode + b);
+    neighbours[static_cast<std::size_t>(b)].push_back(firstNode + a);
+  }
+  for (std::size_t i = 0; i < neighbours.size(); ++i) {
+    if (neighbours[i].size() != 2) continue;
+    model.angles.push_back({neighbours[i][0], firstNode + static_cast<int>(i), neighbours[i][1], stiffness, 0.0});
+  }
+}
+
+/// Throws when the vertices do not lie in a plane parallel to that of a 2D scene.
+void requireFlat(const Model& model, const SurfaceMesh& mesh) {
+  if (model.dimension == 1) throw std::invalid_argument("a rope needs a scene of dimension 2 or 3");
+  if (model.dimension == 3) return;
+  const int across = 3 - model.plane[0] - model.plane[1];
+  const Vec3& first = mesh.vertices.front();
+  for (const Vec3& x : mesh.vertices) {
+    if (std::abs(x[across] - first[across]) <= 1e-9 * (x - first).norm()) continue;
+    throw std::invalid_argument(
+        "the rope's lines leave the plane of the scene; give dimension = 3, or another 'plane'");
+  }
+}
+
 double areaOf(const SurfaceMesh& mesh) {
   double area = 0.0;
   for (const Triangle& t : mesh.triangles) {
@@ -212,7 +240,8 @@ double areaOf(const SurfaceMesh& mesh) {
 }  // namespace
 
 Part addChain(Model& model, const ChainShape& shape) {
-  if (shape.n < 2) throw std::invalid_argument(fmt::format("a chain of {} nodes; at least 2 are needed", shape.n));
+  if (shape.n < 2)
+    throw std::invalid_argument(fmt::format("a chain of {}; at least 2 are needed", counted(shape.n, "node")));
   if (!((shape.to - shape.from).norm() > 0.0)) throw std::invalid_argument("a chain begins and ends at one point");
   Part part = beginPart(model, static_cast<std::size_t>(shape.n));
   for (int i = 0; i < shape.n; ++i) {
@@ -228,6 +257,29 @@ Part addChain(Model& model, const ChainShape& shape) {
     model.angles.push_back({i, i + 1, i + 2, shape.angleStiffness, 0.0});
   }
   part.measure = (shape.to - shape.from).norm();
+  return part;
+}
+
+Part addRope(Model& model, const RopeShape& shape) {
+  requireFlat(model, shape.mesh);
+  Part part = beginPart(model, shape.mesh.vertices.size());
+  for (const Vec3& x : shape.mesh.vertices) addNode(model, x);
+  part.shares.assign(shape.mesh.vertices.size(), 0.0);
+  for (const auto& [a, b] : shape.mesh.lines) {
+    connect(model, part.firstNode + a, part.firstNode + b, shape.spring);
+    model.springs.back().unilateral = shape.unilateral;
+    const double L = model.springs.back().L0;
+    if (!(L > 0.0)) {
+      throw std::invalid_argument(fmt::format(
+          "the line between vertices {} and {} (counted from 0) has length 0; weld = true makes one node of them", a,
+          b));
+    }
+    part.measure += L;
+    part.shares[static_cast<std::size_t>(a)] += 0.5 * L;
+    part.shares[static_cast<std::size_t>(b)] += 0.5 * L;
+  }
+  for (double& share : part.shares) share /= part.measure;
+  if (shape.angleStiffness > 0.0) addAngles(model, part.firstNode, shape.mesh, shape.angleStiffness);
   return part;
 }
 
@@ -304,10 +356,14 @@ Part addShell(Model& model, const ShellShape& shape) {
 }
 
 void lumpMass(Model& model, const Part& part, double M, double taper) {
+  const auto first = model.nodes.begin() + part.firstNode;
+  if (!part.shares.empty()) {
+    for (int i = 0; i < part.nodeCount; ++i) first[i].m = M * part.shares[static_cast<std::size_t>(i)];
+    return;
+  }
   const double ratio = part.nodeCount > 1 ? std::pow(taper, 1.0 / (part.nodeCount - 1)) : 1.0;
   double sum = 0.0;
   for (int i = 0; i < part.nodeCount; ++i) sum += std::pow(ratio, i);
-  const auto first = model.nodes.begin() + part.firstNode;
   for (int i = 0; i < part.nodeCount; ++i) first[i].m = M * std::pow(ratio, i) / sum;
 }
 

@@ -14,6 +14,7 @@ struct Part {
   int nodeCount = 0;
   std::vector<Triangle> triangles;  ///< its surface, in the model's numbering; empty: none
   double measure = 0.0;             ///< length [m], area [m^2] or volume [m^3] at rest: mass = density * measure
+  std::vector<double> shares = {};  ///< of the mass, one a node, with sum 1; empty: all alike
 };
 
 /// What the springs of a generator are made of.
@@ -35,6 +36,17 @@ struct ChainShape {
   double angleStiffness = 0.0;  ///< [J/rad^2] of every inner node; 0: none
 };
 Part addChain(Model& model, const ChainShape& shape);
+
+/// A rope, or a net of ropes: a node at each vertex, a spring along each line, at rest where they are.
+struct RopeShape {
+  SurfaceMesh mesh;  ///< its lines; in a scene of dimension 2 they lie in a plane parallel to the scene's
+  SpringMaterial spring = {};
+  bool unilateral = false;      ///< the springs only push
+  double angleStiffness = 0.0;  ///< [J/rad^2] of every node between two lines, straight at rest; 0: none
+};
+/// Each node has half of the length of its lines as its share of the mass. Throws std::invalid_argument when a line has
+/// length 0, when the lines leave the plane of a 2D scene, and in 1D.
+Part addRope(Model& model, const RopeShape& shape);
 
 /// nu by nv nodes in a plane; node (i, j) has index j * nu + i within the part (as in the harness's grid).
 struct GridShape {
@@ -81,8 +93,8 @@ struct LatticeShape {
 /// Throws std::invalid_argument when no lattice node lies inside, or the solid is in pieces.
 Part addLattice(Model& model, const LatticeShape& shape);
 
-/// Gives each node of the part the mass M / n (slide "Masa/Inercia"), scaled in a geometric sequence so that the last
-/// has `taper` times the mass of the first; the sum is M.
+/// Gives each node of the part its share of M, else M / n (slide "Masa/Inercia"), scaled in a geometric sequence so
+/// that the last has `taper` times the mass of the first; the sum is M.
 void lumpMass(Model& model, const Part& part, double M, double taper = 1.0);
 
 /// Gives every spring of the part the damping ratio in place of a projected damping (projectedDamping()).

@@ -1,7 +1,8 @@
 #include "engine/scene/mesh_file.h"
 
 #include "base/file.h"
-#include "base/toml/value.h"
+#include "base/text/count.h"
+#include "base/text/printable.h"
 #include "engine/scene/mesh_text.h"
 #include "engine/scene/polygon_list.h"
 
@@ -25,26 +26,30 @@ Vec3 readVertex(MeshText& text) {
   return vertex;
 }
 
-/// The vertex of an OBJ corner "7", "7/1", "7//3", "-1/..": counted from 1, or backwards from the last.
-std::int64_t objIndex(std::string_view word, std::size_t vertexCount, const MeshText& at) {
+/// The vertex of an OBJ corner "7", "7/1", "7//3", "-1/..": counted from 1, or backwards from the last. `what` has it:
+/// "face" or "line".
+std::int64_t objIndex(std::string_view word, std::size_t vertexCount, const MeshText& at, const char* what) {
   const std::string_view text = word.substr(0, word.find('/'));
   std::int64_t index = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
   if (error != std::errc() || end != text.data() + text.size() || index == 0) {
-    at.fail(fmt::format("'{}' is no corner of a face; they are counted from 1", shownWord(word)));
+    at.fail(fmt::format("'{}' is no corner of a {}; they are counted from 1", shownWord(word), what));
   }
   if (index < -static_cast<std::int64_t>(vertexCount)) {
-    at.fail(fmt::format("a face names vertex {}, counted back from its line; {} stand above it", index, vertexCount));
+    at.fail(fmt::format("a {} names vertex {}, counted back from its line; {} above it", what, index,
+                        vertexCount == 1 ? "1 stands" : fmt::format("{} stand", vertexCount)));
   }
   return index > 0 ? index - 1 : static_cast<std::int64_t>(vertexCount) + index;
 }
 
 /// The corners of a face or of a line, in what is left of the present line.
-void readObjCorners(MeshText& text, std::size_t vertexCount, std::vector<std::int64_t>& corners) {
+void readObjCorners(MeshText& text, std::size_t vertexCount, bool isLine, std::vector<std::int64_t>& corners) {
+  const std::size_t most = isLine ? static_cast<std::size_t>(mostVertices) : mostCorners;
+  const char* what = isLine ? "line" : "face";
   corners.clear();
   while (text.hasWord()) {
-    if (corners.size() == mostCorners) text.fail(fmt::format("a face has more than {} corners", mostCorners));
-    corners.push_back(objIndex(text.word(), vertexCount, text));
+    if (corners.size() == most) text.fail(fmt::format("a {} has more than {} corners", what, most));
+    corners.push_back(objIndex(text.word(), vertexCount, text, what));
   }
 }
 
@@ -90,13 +95,12 @@ void skipEdgeCount(MeshText& text) {
 
 }  // namespace
 
-SurfaceMesh parseObj(std::string_view bytes, const std::string& name) {
+SurfaceMesh parseObj(std::string_view bytes, const std::string& name, MeshPart wanted) {
   MeshText text(bytes, name);
   text.joinLines();
   SurfaceMesh mesh;
   PolygonList polygons;
   std::vector<std::int64_t> corners;
-  bool hasLines = false;
   while (text.nextLine('#')) {
     const std::string_view kind = text.word();
     if (kind == "v") {
@@ -105,17 +109,19 @@ SurfaceMesh parseObj(std::string_view bytes, const std::string& name) {
       }
       mesh.vertices.push_back(readVertex(text));
     } else if (kind == "f" || kind == "fo") {  // "fo": as the first writers called it
-      readObjCorners(text, mesh.vertices.size(), corners);
+      readObjCorners(text, mesh.vertices.size(), false, corners);
       polygons.add(corners, text);
     } else if (kind == "l") {
-      hasLines = true;
+      corners.clear();
+      if (wanted == MeshPart::Lines) readObjCorners(text, mesh.vertices.size(), true, corners);
+      polygons.addLine(corners, text);
     }
   }
-  polygons.cutInto(mesh, text, 1, hasLines);
+  polygons.cutInto(mesh, text, 1, wanted);
   return mesh;
 }
 
-SurfaceMesh parseOff(std::string_view bytes, const std::string& name) {
+SurfaceMesh parseOff(std::string_view bytes, const std::string& name, MeshPart wanted) {
   MeshText text(bytes, name);
   readOffHeader(text);
   const std::int64_t vertices = text.integerAnywhere('#');
@@ -123,18 +129,19 @@ SurfaceMesh parseOff(std::string_view bytes, const std::string& name) {
   skipEdgeCount(text);
   const std::size_t bytesLeft = text.rest().size();
   // The shortest vertex is "0 0 0" and the shortest face "3 0 1 2", each with its end of line.
-  const int vertexCount = checkedCount(text, vertices, "vertices", mostVertices, bytesLeft + 1, 6);
-  const int faceCount = checkedCount(text, faces, "faces", mostFaces, bytesLeft + 1, 4);
+  const int vertexCount = checkedCount(text, vertices, "vertex", mostVertices, bytesLeft + 1, 6);
+  const int faceCount = checkedCount(text, faces, "face", mostFaces, bytesLeft + 1, 4);
   SurfaceMesh mesh;
   mesh.vertices.reserve(static_cast<std::size_t>(vertexCount));
   for (int i = 0; i < vertexCount; ++i) {
-    if (!text.nextLine('#')) text.fail(fmt::format("the file ends after {} of {} vertices", i, vertexCount));
+    if (!text.nextLine('#'))
+      text.fail(fmt::format("the file ends after {} of {}", i, counted(vertexCount, "vertex", "vertices")));
     mesh.vertices.push_back(readVertex(text));
   }
   PolygonList polygons;
   std::vector<std::int64_t> corners;
   for (int i = 0; i < faceCount; ++i) {
-    if (!text.nextLine('#')) text.fail(fmt::format("the file ends after {} of {} faces", i, faceCount));
+    if (!text.nextLine('#')) text.fail(fmt::format("the file ends after {} of {}", i, counted(faceCount, "face")));
     const std::int64_t count = text.integer();
     if (count < 1 || count > static_cast<std::int64_t>(mostCorners)) {
       text.fail(fmt::format("a face has {} corners; up to {} are read", count, mostCorners));
@@ -143,14 +150,14 @@ SurfaceMesh parseOff(std::string_view bytes, const std::string& name) {
     for (std::int64_t j = 0; j < count; ++j) corners.push_back(text.integer());
     polygons.add(corners, text);
   }
-  polygons.cutInto(mesh, text, 0);
+  polygons.cutInto(mesh, text, 0, wanted);
   return mesh;
 }
 
-SurfaceMesh readMeshFile(const std::filesystem::path& file) {
+SurfaceMesh readMeshFile(const std::filesystem::path& file, MeshPart wanted) {
   std::string extension = file.extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  const std::string name = shownPath(file);
+  const std::string name = printableLine(file.string());
   if (extension != ".obj" && extension != ".ply" && extension != ".off") {
     throw std::runtime_error(fmt::format("{}: a mesh is a file .obj, .ply or .off", name));
   }
@@ -159,8 +166,8 @@ SurfaceMesh readMeshFile(const std::filesystem::path& file) {
     throw std::runtime_error(fmt::format("{}: larger than 256 MiB", name));
   }
   const std::string bytes = readFile(file);
-  if (extension == ".obj") return parseObj(bytes, name);
-  return extension == ".ply" ? parsePly(bytes, name) : parseOff(bytes, name);
+  if (extension == ".obj") return parseObj(bytes, name, wanted);
+  return extension == ".ply" ? parsePly(bytes, name, wanted) : parseOff(bytes, name, wanted);
 }
 
 }  // namespace muelle::engine

@@ -1,5 +1,6 @@
 #include "engine/scene/mesh_text.h"
 
+#include "base/text/count.h"
 #include "base/text/printable.h"
 
 #include <fmt/format.h>
@@ -111,11 +112,13 @@ std::int64_t MeshText::integerAnywhere(char comment) {
 
 int checkedCount(const MeshText& at, std::int64_t count, const char* what, int most, std::size_t bytes,
                  std::size_t least) {
-  if (count < 0) at.fail(fmt::format("{} {}: a count is not negative", count, what));
-  if (count > most) at.fail(fmt::format("{} {}: at most {} are read", count, what, most));
+  const std::string noun = nounFor(count, what, what == std::string_view("vertex") ? "vertices" : "");
+  if (count < 0) at.fail(fmt::format("{} {}: a count is not negative", count, noun));
+  if (count > most) at.fail(fmt::format("{} {}: at most {} are read", count, noun, most));
   if (static_cast<std::size_t>(count) > bytes / least) {
-    at.fail(fmt::format("{} {} do not fit into the {} bytes that follow: the file is cut short or its header wrong",
-                        count, what, bytes));
+    at.fail(fmt::format("{} {} {} not fit into the {} that {}: the file is cut short or its header wrong", count, noun,
+                        count == 1 ? "does" : "do", counted(static_cast<long long>(bytes), "byte"),
+                        bytes == 1 ? "follows" : "follow"));
   }
   return static_cast<int>(count);
 }

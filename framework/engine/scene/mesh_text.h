@@ -58,7 +58,7 @@ class MeshText {
 std::string shownWord(std::string_view word);
 
 /// A count in a header: complains, before anything is allocated, when it is negative, above `most`, or more than
-/// `bytes` bytes can hold at `least` bytes each.
+/// `bytes` bytes can hold at `least` bytes each. `what` is one of them: "vertex".
 int checkedCount(const MeshText& at, std::int64_t count, const char* what, int most, std::size_t bytes,
                  std::size_t least);
 

@@ -1,5 +1,6 @@
 #include "engine/scene/object_reader.h"
 
+#include "base/text/count.h"
 #include "base/text/printable.h"
 #include "engine/scene/connectivity.h"
 #include "engine/scene/mesh_file.h"
@@ -34,6 +35,7 @@ struct KindKeys {
 const std::map<std::string, KindKeys>& kinds() {
   static const std::map<std::string, KindKeys> all = {
       {"chain", {{"nodes", "from", "to"}, {"taper", "angle_stiffness", "L0", "sag", "unilateral"}}},
+      {"rope", {{"mesh"}, {"scale", "weld", "angle_stiffness", "unilateral"}}},
       {"grid",
        {{"nodes", "spacing"},
         {"origin", "across", "along", "shear_stiffness", "bend_stiffness", "dihedral_stiffness", "area_modulus"}}},
@@ -110,8 +112,8 @@ Part readBox(const TableReader& table, Model& model) {
 }
 
 /// Adds "3 things", or nothing where there are none.
-void addCount(std::vector<std::string>& words, int count, const char* one, const char* several) {
-  if (count > 0) words.push_back(fmt::format("{} {}", count, count == 1 ? one : several));
+void addCount(std::vector<std::string>& words, int count, const std::string& one, const std::string& several) {
+  if (count > 0) words.push_back(counted(count, one, several));
 }
 
 /// What of a mesh is perhaps not meant, in one sentence; empty when nothing is.
@@ -119,22 +121,26 @@ std::string doubtsAbout(const SurfaceMesh& mesh, const Connectivity& found, cons
   std::vector<std::string> words;
   addCount(words, mesh.facesLeftOut, "face without three different corners is left out",
            "faces without three different corners are left out");
-  addCount(words, found.unused, "vertex of no face is no node", "vertices of no face are no nodes");
+  addCount(words, mesh.linesLeftOut, "line from a node to itself, or given before, is left out",
+           "lines from a node to itself, or given before, are left out");
+  const char* what = mesh.lines.empty() ? "face" : "line";
+  addCount(words, found.unused, fmt::format("vertex of no {} is no node", what),
+           fmt::format("vertices of no {} are no nodes", what));
   if (found.pieces > 1) words.push_back(fmt::format("{} pieces that nothing joins", found.pieces));
   const bool shared = found.places < found.vertices;
-  if (shared) words.push_back(fmt::format("{} vertices at {} places", found.vertices, found.places));
+  if (shared) words.push_back(fmt::format("{} vertices at {}", found.vertices, counted(found.places, "place")));
   if (words.empty()) return "";
   return fmt::format("mesh '{}': {}{}", printableLine(name), fmt::join(words, ", "),
                      shared ? "; weld = true makes one node of those at the same place" : "");
 }
 
-SurfaceMesh readMesh(const TableReader& table, const std::filesystem::path& folder, Scene& scene) {
+SurfaceMesh readMesh(const TableReader& table, const std::filesystem::path& folder, Scene& scene, MeshPart wanted) {
   const std::string name = table.text("mesh");
   const std::filesystem::path file = folder / name;  // an absolute name stays as it is
   if (!std::filesystem::is_regular_file(file)) {
     table.fail("mesh", fmt::format("no file '{}' beside the scene", name));
   }
-  SurfaceMesh mesh = readMeshFile(file);
+  SurfaceMesh mesh = readMeshFile(file, wanted);
   if (table.flag("weld", false)) weld(mesh);
   std::string doubts = doubtsAbout(mesh, connectivityOf(mesh), name);
   if (!doubts.empty()) scene.warnings.push_back(std::move(doubts));
@@ -145,12 +151,21 @@ SurfaceMesh readMesh(const TableReader& table, const std::filesystem::path& fold
 }
 
 Part readShell(const TableReader& table, Scene& scene, const std::filesystem::path& folder) {
-  return addShell(scene.model, {readMesh(table, folder, scene), readMaterial(table)});
+  return addShell(scene.model, {readMesh(table, folder, scene, MeshPart::Faces), readMaterial(table)});
+}
+
+Part readRope(const TableReader& table, Scene& scene, const std::filesystem::path& folder) {
+  RopeShape shape;
+  shape.mesh = readMesh(table, folder, scene, MeshPart::Lines);
+  shape.spring = readMaterial(table);
+  shape.unilateral = table.flag("unilateral", false);
+  shape.angleStiffness = table.notNegative("angle_stiffness", 0.0);
+  return addRope(scene.model, shape);
 }
 
 Part readLattice(const TableReader& table, Scene& scene, const std::filesystem::path& folder) {
   LatticeShape shape;
-  shape.mesh = readMesh(table, folder, scene);
+  shape.mesh = readMesh(table, folder, scene, MeshPart::Faces);
   shape.spacing = table.positive("spacing");
   if (table.has("ties")) shape.ties = table.integer("ties", 1, 100);
   shape.spring = readMaterial(table);
@@ -159,6 +174,7 @@ Part readLattice(const TableReader& table, Scene& scene, const std::filesystem::
 
 Part generate(const TableReader& table, const std::string& kind, Scene& scene, const std::filesystem::path& folder) {
   if (kind == "chain") return readChain(table, scene.model);
+  if (kind == "rope") return readRope(table, scene, folder);
   if (kind == "grid") return readGrid(table, scene.model);
   if (kind == "box") return readBox(table, scene.model);
   return kind == "shell" ? readShell(table, scene, folder) : readLattice(table, scene, folder);

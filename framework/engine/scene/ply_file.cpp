@@ -247,8 +247,24 @@ void addStrip(const std::vector<std::int64_t>& corners, PolygonList& polygons, c
   }
 }
 
-/// Reads the elements of one kind into the mesh or the list of its faces.
-void readElements(Body& body, const Element& element, SurfaceMesh& mesh, PolygonList& polygons, const MeshText& at) {
+/// Reads the two ends of an edge; its other properties are skipped.
+void readEdge(Body& body, const Element& element, const MeshText& at, std::vector<std::int64_t>& ends) {
+  ends.clear();
+  for (const Property& property : element.properties) {
+    const bool isEnd = !property.isList && (property.name == "vertex1" || property.name == "vertex2");
+    if (isEnd) {
+      ends.push_back(body.integer(property.type));
+    } else {
+      body.skip(property);
+    }
+  }
+  if (ends.size() != 2) at.fail("the edges have no properties vertex1 and vertex2");
+}
+
+/// Reads the elements of one kind into the mesh or the list of its faces and lines; edges are skipped where faces are
+/// wanted, and noted.
+void readElements(Body& body, const Element& element, MeshPart wanted, SurfaceMesh& mesh, PolygonList& polygons,
+                  const MeshText& at) {
   std::vector<std::int64_t> corners;
   if (element.name == "vertex") return readVertices(body, element, mesh, at);
   for (std::int64_t i = 0; i < element.count; ++i) {
@@ -258,31 +274,33 @@ void readElements(Body& body, const Element& element, SurfaceMesh& mesh, Polygon
     } else if (element.name == "tristrips") {
       readCorners(body, element, std::int64_t{3} * mostFaces, corners);
       addStrip(corners, polygons, at);
+    } else if (element.name == "edge" && wanted == MeshPart::Lines) {
+      readEdge(body, element, at, corners);
+      polygons.addLine(corners, at);
     } else {
       for (const Property& property : element.properties) body.skip(property);
+      if (element.name == "edge") polygons.addLine({}, at);
     }
   }
 }
 
 }  // namespace
 
-SurfaceMesh parsePly(std::string_view bytes, const std::string& name) {
+SurfaceMesh parsePly(std::string_view bytes, const std::string& name, MeshPart wanted) {
   MeshText text(bytes, name);
   const Header header = readHeader(text);
   Body body(text, header.format);
   SurfaceMesh mesh;
   PolygonList polygons;
-  bool hasLines = false;
   for (const Element& element : header.elements) {
     if (element.count == 0) continue;
     // A name of the file stands in this message only when it is one of the two that count.
-    const char* what = element.name == "vertex" ? "vertices" : element.name == "face" ? "faces" : "elements";
+    const char* what = element.name == "vertex" ? "vertex" : element.name == "face" ? "face" : "element";
     checkedCount(text, element.count, what, static_cast<int>(mostElements), body.bytesLeft(),
                  leastBytes(element, body.isBinary()));
-    readElements(body, element, mesh, polygons, text);
-    hasLines |= element.name == "edge";
+    readElements(body, element, wanted, mesh, polygons, text);
   }
-  polygons.cutInto(mesh, text, 0, hasLines);
+  polygons.cutInto(mesh, text, 0, wanted);
   return mesh;
 }
 

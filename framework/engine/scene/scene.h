@@ -49,8 +49,8 @@ struct Scene {
   std::array<int, 2> view = {0, 2};   ///< components that figures show across and up
 };
 
-/// Reads a scene file. Throws std::runtime_error "FOLDER/FILE.toml:LINE: key 'KEY': what is wrong", with what was
-/// expected and the nearest known name.
+/// Reads a scene file. Throws std::runtime_error "FILE.toml:LINE: key 'KEY': what is wrong", the file as it was
+/// given, with what was expected and the nearest known name.
 Scene readScene(const std::filesystem::path& file);
 
 /// The scene files of a folder, by name.

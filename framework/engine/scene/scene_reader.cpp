@@ -244,7 +244,10 @@ void readRun(const TableReader& table, Scene& scene) {
   table.checkKeys(
       {"method", "step", "tolerance", "duration", "output_interval", "largest_step", "events", "compensated"},
       {"method", "duration"});
-  scene.method = table.choice("method", methodIds());
+  scene.method = table.text("method");
+  if (std::ranges::find(methodIds(), scene.method) == methodIds().end()) {
+    table.fail("method", fmt::format("no method '{}'{}", printableLine(scene.method), methodSuggestion(scene.method)));
+  }
   scene.duration = table.positive("duration");
   if (table.has("step")) scene.step = table.positive("step");
   if (table.has("tolerance")) {
@@ -340,8 +343,9 @@ Scene interpret(const TableReader& given, const std::filesystem::path& file) {
 }  // namespace
 
 Scene readScene(const std::filesystem::path& file) {
-  const TomlValue root = readToml(file);
-  return interpret(TableReader(root, shownPath(file), "the scene"), file);
+  const std::string name = printableLine(file.string());
+  const TomlValue root = readToml(file, name);
+  return interpret(TableReader(root, name, "the scene"), file);
 }
 
 std::vector<std::filesystem::path> listScenes(const std::filesystem::path& folder) {

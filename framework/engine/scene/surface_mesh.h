@@ -8,11 +8,15 @@ namespace muelle::engine {
 
 using Triangle = std::array<int, 3>;  ///< indices of vertices, anticlockwise seen from outside
 
-/// A surface of triangles.
+using Line = std::array<int, 2>;  ///< indices of its ends, which differ
+
+/// A surface of triangles, or the lines of a rope: a mesh has the one or the other.
 struct SurfaceMesh {
   std::vector<Vec3> vertices;  ///< [m]
   std::vector<Triangle> triangles;
-  int facesLeftOut = 0;  ///< faces of the file that have fewer than three different corners
+  std::vector<Line> lines = {};  ///< each once, in the order of the file
+  int facesLeftOut = 0;          ///< faces of the file that have fewer than three different corners
+  int linesLeftOut = 0;          ///< lines of the file from a vertex to itself, or that are there already
 };
 
 /// The edges of triangles, each once, as pairs of indices with the smaller first, ascending.

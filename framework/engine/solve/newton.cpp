@@ -1,5 +1,6 @@
 #include "engine/solve/newton.h"
 
+#include "base/text/count.h"
 #include "engine/solve/dense.h"
 
 #include <fmt/format.h>
@@ -252,7 +253,7 @@ NewtonReport Newton::solve(const System& system, const ImplicitStage& stage, con
     }
     if (report.iterations > 0 && relative_ <= options.tolerance) break;
     if (report.iterations == options.mostIterations) {
-      report.failure = fmt::format("Newton: no convergence after {} iterations", report.iterations);
+      report.failure = "Newton: no convergence after " + counted(report.iterations, "iteration");
       break;
     }
     ++report.iterations;

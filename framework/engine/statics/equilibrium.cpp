@@ -1,5 +1,6 @@
 #include "engine/statics/equilibrium.h"
 
+#include "base/text/count.h"
 #include "engine/solve/linear_solver.h"
 
 #include <fmt/format.h>
@@ -230,7 +231,7 @@ void Search::run() {
   for (;;) {
     const Outcome outcome = balance();
     if (outcome == Outcome::Exhausted) {
-      result_.message = fmt::format("no equilibrium after {} iterations", result_.iterations);
+      result_.message = "no equilibrium after " + counted(result_.iterations, "iteration");
       return;
     }
     // Stuck: so close to a saddle that the energy does not show the way down, its curvature does.
@@ -265,8 +266,8 @@ void check(const System& system, const State& start) {
     throw std::invalid_argument("an equilibrium needs the energy of the forces (potential) and its derivatives");
   }
   if (start.x.size() != static_cast<std::size_t>(system.size())) {
-    throw std::invalid_argument(
-        fmt::format("equilibrium: {} positions for {} unknowns", start.x.size(), system.size()));
+    throw std::invalid_argument(fmt::format("equilibrium: {} for {}", counted(std::ssize(start.x), "position"),
+                                            counted(system.size(), "unknown")));
   }
   const auto bad = std::ranges::find_if(start.x, [](double x) { return !std::isfinite(x); });
   if (bad != start.x.end()) {

@@ -1,5 +1,6 @@
 #include "grader/class/class_table.h"
 
+#include "base/text/count.h"
 #include "base/text/printable.h"
 #include "base/text/utf8.h"
 #include "base/text/wrap.h"
@@ -206,7 +207,7 @@ class Table {
     title("commonest mistakes");
     for (std::size_t i = 0; i < std::min(mistakesShown, statistics_.mistakes.size()); ++i) {
       const MistakeStatistics& mistake = statistics_.mistakes[i];
-      const std::string who = mistake.students == 1 ? "1 student" : fmt::format("{} students", mistake.students);
+      const std::string who = counted(mistake.students, "student");
       const std::string says = mistake.says.empty() ? "" : ": " + mistake.says;
       paragraph("    ", fmt::format("{}  {} ({}){}", who, mistake.id, mistake.topic, says));
     }

@@ -1,6 +1,8 @@
 #include "lab/run/run_scene.h"
 
+#include "base/text/count.h"
 #include "engine/integrators/catalogue.h"
+#include "engine/model/singular_starts.h"
 #include "lab/run/energy_balance.h"
 
 #include <fmt/format.h>
@@ -27,13 +29,6 @@ bool isFixed(const Scene& scene) { return !methodInfo(scene.method).adaptive || 
 
 // --- lines of the summary ---
 
-/// 1,234,567
-std::string grouped(long long count) {
-  std::string digits = fmt::format("{}", count);
-  for (std::ptrdiff_t i = std::ssize(digits) - 3; i > 0; i -= 3) digits.insert(static_cast<std::size_t>(i), ",");
-  return digits;
-}
-
 std::string line(const char* name, const std::string& text) { return fmt::format("  {:<11} {}\n", name, text); }
 
 std::string stepLine(const Scene& scene, const SceneRun& run) {
@@ -41,7 +36,7 @@ std::string stepLine(const Scene& scene, const SceneRun& run) {
   std::string text =
       isFixed(scene) ? fmt::format("h = {:.4g} s", run.options.h)
                      : fmt::format("chosen for a tolerance of {:.2g} of the motion", run.options.tolerance.relative);
-  text += fmt::format(", {} steps", grouped(work.steps));
+  text += ", " + countedInGroups(work.steps, "step");
   if (work.rejectedSteps > 0) text += fmt::format(", {} rejected", grouped(work.rejectedSteps));
   if (run.result.subdividedSteps > 0) {
     text += fmt::format(", {} cut so that nothing passes through an obstacle", grouped(run.result.subdividedSteps));
@@ -106,32 +101,32 @@ std::string energyLine(const EnergyBalance& balance) {
 }
 
 std::string workLine(const Work& work) {
-  std::string text = grouped(work.forceEvaluations) + " force evaluations";
+  std::string text = countedInGroups(work.forceEvaluations, "force evaluation");
   const auto add = [&](long long count, const char* what) {
-    if (count > 0) text += fmt::format(", {} {}", grouped(count), what);
+    if (count > 0) text += ", " + countedInGroups(count, what);
   };
-  add(work.jacobians, "Jacobians");
-  add(work.factorisations, "factorisations");
-  add(work.solves, "solves");
-  add(work.newtonIterations, "Newton iterations");
-  add(work.events, "events");
+  add(work.jacobians, "Jacobian");
+  add(work.factorisations, "factorisation");
+  add(work.solves, "solve");
+  add(work.newtonIterations, "Newton iteration");
+  add(work.events, "event");
   return text;
 }
 
 std::string sizeLine(const Scene& scene, const SceneRun& run) {
   const Model& model = scene.model;
-  std::string text =
-      fmt::format("{} nodes, {} springs", grouped(std::ssize(model.nodes)), grouped(std::ssize(model.springs)));
-  const auto add = [&](std::size_t count, const char* what) {
-    if (count > 0) text += fmt::format(", {} {}", grouped(static_cast<long long>(count)), what);
+  std::string text = countedInGroups(std::ssize(model.nodes), "node");
+  text += ", " + countedInGroups(std::ssize(model.springs), "spring");
+  const auto add = [&](std::size_t count, const char* one, const char* several = "") {
+    if (count > 0) text += ", " + countedInGroups(static_cast<long long>(count), one, several);
   };
-  add(model.angles.size(), "angles");
-  add(model.dihedrals.size(), "dihedrals");
-  add(model.areas.size(), "areas");
-  add(model.volumes.size(), "volumes");
-  add(model.properties.size(), "properties");
-  add(model.obstacles.size(), "obstacles");
-  return text + fmt::format(", {} unknowns", grouped(run.system->size()));
+  add(model.angles.size(), "angle");
+  add(model.dihedrals.size(), "dihedral");
+  add(model.areas.size(), "area");
+  add(model.volumes.size(), "volume");
+  add(model.properties.size(), "property", "properties");
+  add(model.obstacles.size(), "obstacle");
+  return text + ", " + countedInGroups(run.system->size(), "unknown");
 }
 
 }  // namespace
@@ -198,6 +193,8 @@ SceneRun runScene(const Scene& scene, const std::string& label) {
   RunOptions options = run.options;
   options.probes = probesOf(scene, *run.system);
   run.result = simulate(*run.system, *method, run.system->initialState(), options);
+  const std::vector<std::string> singular = singularStarts(scene.model);
+  run.result.warnings.insert(run.result.warnings.begin(), singular.begin(), singular.end());
   return run;
 }
 

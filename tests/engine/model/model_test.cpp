@@ -76,7 +76,7 @@ TEST(BadInput, IsRejectedWithTheNameOfTheItem) {
       {[](Model& m) {
          m.properties = {{{0}, {}}};
        },
-       "property 0: has 1 nodes and 0 weights"},
+       "property 0: has 1 node and 0 weights"},
       {[](Model& m) {
          m.externalForces = {{{0}, {}, {}}};
        },

@@ -1,6 +1,5 @@
 #include "engine/scene/generators.h"
 #include "engine/model/damping.h"
-#include "engine/scene/mesh_file.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -208,22 +207,6 @@ TEST(Lattice, RefusesASpacingThatLeavesNothingInside) {
   shape.spacing = 0.2;
   Model other;
   EXPECT_THROW(addLattice(other, shape), std::invalid_argument);
-}
-
-TEST(Rabbit, IsClosedAndAsHighAsItsNoteSays) {
-  const SurfaceMesh mesh = readMeshFile(MUELLE_SCENES "/rabbit.off");
-  EXPECT_EQ(mesh.vertices.size(), 1839u);
-  EXPECT_EQ(mesh.triangles.size(), 3674u);
-  EXPECT_TRUE(isClosed(mesh));
-  double low = 1.0, high = -1.0;
-  for (const Vec3& x : mesh.vertices) {
-    low = std::min(low, x[2]);
-    high = std::max(high, x[2]);
-  }
-  EXPECT_EQ(low, 0.0);
-  EXPECT_NEAR(high, 0.19, 1e-9);
-  // The package's mesh encloses 194.288 of its units; 0.019673^3 of a cubic metre each (rounding moves it by 1e-4).
-  EXPECT_NEAR(signedVolume(mesh), 194.288 * std::pow(0.019673, 3), 2e-7);
 }
 
 TEST(Generators, RefuseWhatMakesNoSense) {

@@ -18,7 +18,7 @@ const std::vector<std::vector<int>> pyramidFaces = {{0, 3, 2, 1}, {0, 1, 4}, {1,
 
 struct Sample {
   std::string name;
-  SurfaceMesh (*parse)(std::string_view, const std::string&);
+  SurfaceMesh (*parse)(std::string_view, const std::string&, MeshPart);
   std::string bytes;
 };
 
@@ -154,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(, MeshDialect, ::testing::ValuesIn(samples()),
                          [](const auto& test) { return test.param.name; });
 
 TEST_P(MeshDialect, HoldsThePyramid) {
-  const SurfaceMesh mesh = GetParam().parse(GetParam().bytes, "mesh");
+  const SurfaceMesh mesh = GetParam().parse(GetParam().bytes, "mesh", MeshPart::Faces);
   ASSERT_EQ(mesh.vertices.size(), 5u);
   for (std::size_t i = 0; i < 5; ++i)
     EXPECT_EQ(mesh.vertices[i], Vec3(pyramidPlaces[i][0], pyramidPlaces[i][1], pyramidPlaces[i][2]));

@@ -72,7 +72,7 @@ struct Format {
   std::string name;
   std::string extension;
   std::string (*write)(const SurfaceMesh&);
-  SurfaceMesh (*parse)(std::string_view, const std::string&);
+  SurfaceMesh (*parse)(std::string_view, const std::string&, MeshPart);
 };
 
 const Format formats[] = {{"Off", ".off", asOff, parseOff},
@@ -96,7 +96,7 @@ TEST_P(MeshFile, ReadsBackEveryDigit) {
 /// one line; under the sanitizers this also shows that no byte outside is read.
 void expectMeshOrComplaint(const Format& format, const std::string& bytes) {
   try {
-    const SurfaceMesh mesh = format.parse(bytes, "x");
+    const SurfaceMesh mesh = format.parse(bytes, "x", MeshPart::Faces);
     for (const Triangle& t : mesh.triangles) {
       for (const int i : t) ASSERT_TRUE(i >= 0 && i < std::ssize(mesh.vertices));
     }
@@ -125,7 +125,7 @@ TEST_P(MeshFile, ChangedBytesAreNoCrash) {
 
 std::string complaint(const Format& format, const std::string& bytes) {
   try {
-    format.parse(bytes, "mesh");
+    format.parse(bytes, "mesh", MeshPart::Faces);
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -168,7 +168,7 @@ TEST(MeshFiles, FaultsAreNamedWithTheirLine) {
   EXPECT_EQ(complaint(formats[1], "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n"),
             "mesh:4: a face names vertex -4, counted back from its line; 3 stand above it");
   EXPECT_EQ(complaint(formats[1], "v 0 0 0\nv 1 0 0\nl 1 2\n"),
-            "mesh:3: only lines and no face: what is made of a mesh needs faces; a line is a 'chain'");
+            "mesh:3: only lines and no face: 'shell' and 'lattice' need faces; a 'rope' takes lines");
   EXPECT_EQ(complaint(formats[0], "4OFF\n3 1 0\n"), "mesh:1: '4OFF' is not read; OFF, with ST, C or N before it, is");
   EXPECT_EQ(complaint(formats[2], "solid\n"), "mesh:1: a PLY file begins with the word ply");
 }

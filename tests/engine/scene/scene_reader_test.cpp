@@ -51,7 +51,7 @@ const std::vector<Fault>& faults() {
       {"NoNodes", head + run,
        "scenes/test.toml:1: the scene: the scene has no nodes; [[node]] and [[object]] make them"},
       {"UnknownMethod", head + pair + spring + "[run]\nmethod = 'velocity_verlt'\nstep = 0.01\nduration = 1\n",
-       "scenes/test.toml:16: key 'method': 'velocity_verlt' is unknown; did you mean 'velocity_verlet'?"},
+       "scenes/test.toml:16: key 'method': no method 'velocity_verlt'; did you mean 'velocity_verlet'?"},
       {"NoStep", head + pair + spring + "[run]\nmethod = 'velocity_verlet'\nduration = 1\n",
        "scenes/test.toml:15: key 'step': missing: velocity_verlet needs a step [s]"},
       {"ZeroStep", head + pair + spring + "[run]\nmethod = 'velocity_verlet'\nstep = 0.0\nduration = 1\n",
@@ -227,6 +227,52 @@ TEST(FindScene, NamesTheNearest) {
     EXPECT_STREQ(error.what(), "no scene 'oscilator'; did you mean 'oscillator'?");
   }
   EXPECT_THROW(findScene("missing/scene.toml", MUELLE_SCENES), std::runtime_error);
+}
+
+/// What reading a file says; "" when it says nothing.
+std::string complaintAboutFile(const std::filesystem::path& file) {
+  try {
+    readScene(file);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SceneMessages, NameTheFileAsItWasGiven) {
+  const TemporaryFolder folder(::testing::TempDir());
+  const std::filesystem::path file = folder.path() / "a" / "deep" / "place" / "test.toml";
+  std::filesystem::create_directories(file.parent_path());
+  writeFile(file, head + "sprng = 1\n" + run);
+  EXPECT_EQ(complaintAboutFile(file), file.string() + ":6: key 'sprng': unknown; did you mean 'spring'?");
+  writeFile(file, "title = \n");
+  EXPECT_EQ(complaintAboutFile(file).find(file.string() + ":1: "), 0u);
+  const std::filesystem::path around = folder.path() / "a" / "deep" / ".." / "deep" / "place" / "test.toml";
+  EXPECT_EQ(complaintAboutFile(around).find(around.string() + ":1: "), 0u);
+  writeFile(folder.path() / "a" / "mesh.obj", "v 0 0\n");
+  writeFile(file,
+            "title = 'A test'\nshows = 'nothing'\nslide = 'Malla'\n[[object]]\nkind = 'shell'\nk = 1.0\n"
+            "mass = 1.0\nmesh = '../../mesh.obj'\n" +
+                run);
+  EXPECT_EQ(complaintAboutFile(file), (file.parent_path() / "../../mesh.obj").string() + ":1: a number is missing");
+}
+
+TEST(SceneMessages, NameTheMethodThatIsMeant) {
+  for (const auto& [word, id] : {std::pair("rk4", "runge_kutta_4"), std::pair("RK45", "dormand_prince_5"),
+                                 std::pair("Verlet", "velocity_verlet"), std::pair("dop-853", "dop853")}) {
+    const std::string text = head + pair + "[run]\nmethod = '" + word + "'\nstep = 0.01\nduration = 1.0\n";
+    EXPECT_EQ(complaintAbout(text),
+              fmt::format("scenes/test.toml:13: key 'method': no method '{}'; here it is '{}'", word, id));
+  }
+}
+
+TEST(SceneMessages, CountsAgreeWithTheirNouns) {
+  EXPECT_NE(complaintAbout(head +
+                           "[[object]]\nkind = 'chain'\nnodes = 3\nfrom = 0.0\nto = 1.0\nmass = 1.0\nk = 1.0\n"
+                           "[[output]]\nkind = 'position'\nname = 'x'\naxis = 'x'\nall = true\n" +
+                           run)
+                .find("chooses 3 nodes; at most 1 here"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -174,7 +174,7 @@ TEST(Summary, NamesMethodErrorEnergyAndWork) {
   result.error = estimateError(scene, result);
   const std::string text = summaryOf(scene, result);
   EXPECT_THAT(text, HasSubstr("test: A test"));
-  EXPECT_THAT(text, HasSubstr("2 nodes, 1 springs, 1 unknowns"));
+  EXPECT_THAT(text, HasSubstr("2 nodes, 1 spring, 1 unknown"));
   EXPECT_THAT(text, HasSubstr("velocity Verlet, order 2"));
   EXPECT_THAT(text, HasSubstr("h = 0.01 s, 100 steps"));
   EXPECT_THAT(text, HasSubstr("step halved, order 2 seen; "));

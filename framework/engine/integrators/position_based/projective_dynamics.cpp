@@ -1,3 +1,4 @@
+#include "base/text/count.h"
 #include "engine/integrators/position_based/methods.h"
 #include "engine/integrators/position_based/position_method.h"
 #include "engine/solve/linear_solver.h"
@@ -14,7 +15,7 @@ using Vector = Eigen::VectorXd;
 
 MethodInfo projectiveDynamicsInfo(int iterations) {
   MethodInfo info =
-      positionBasedInfo("projective_dynamics", fmt::format("projective dynamics, {} iterations", iterations));
+      positionBasedInfo("projective_dynamics", "projective dynamics, " + counted(iterations, "iteration"));
   info.needs.distanceConstraints = true;
   info.formula = "(M / h^2 + sum k A^T A) x = M s / h^2 + sum k A^T p,  s = x0 + h v0 + h^2 M^-1 F_ext,  |p| = L0";
   info.source = "Bouaziz et al.: Projective Dynamics, 2014; Liu et al. 2013 for springs";
@@ -33,7 +34,8 @@ class ProjectiveDynamics final : public PositionMethod {
   explicit ProjectiveDynamics(int iterations)
       : PositionMethod(projectiveDynamicsInfo(iterations)), iterations_(iterations) {
     if (iterations < 1) {
-      throw std::invalid_argument(fmt::format("projective_dynamics: {} iterations; at least 1 is needed", iterations));
+      throw std::invalid_argument(
+          fmt::format("projective_dynamics: {}; at least 1 is needed", counted(iterations, "iteration")));
     }
   }
 

@@ -1,3 +1,4 @@
+#include "base/text/count.h"
 #include "engine/integrators/position_based/methods.h"
 #include "engine/integrators/position_based/position_method.h"
 
@@ -11,7 +12,7 @@ namespace muelle::engine {
 namespace {
 
 MethodInfo xpbdInfo(int substeps) {
-  MethodInfo info = positionBasedInfo("xpbd", fmt::format("XPBD, {} substeps", substeps));
+  MethodInfo info = positionBasedInfo("xpbd", "XPBD, " + counted(substeps, "substep"));
   info.formula = "each substep: x += h v + h^2 M^-1 F_ext; once for each C: x -= M^-1 grad C (C + g) / (w + h^-2 / k)";
   info.source = "Macklin et al.: Small Steps in Physics Simulation, 2019; XPBD, 2016";
   info.remark =
@@ -29,7 +30,8 @@ MethodInfo xpbdInfo(int substeps) {
 class Xpbd final : public PositionMethod {
  public:
   explicit Xpbd(int substeps) : PositionMethod(xpbdInfo(substeps)), substeps_(substeps) {
-    if (substeps < 1) throw std::invalid_argument(fmt::format("xpbd: {} substeps; at least 1 is needed", substeps));
+    if (substeps < 1)
+      throw std::invalid_argument(fmt::format("xpbd: {}; at least 1 is needed", counted(substeps, "substep")));
   }
 
   StepResult step(const System& system, const State& from, double h, State& to) override {
