@@ -253,7 +253,7 @@ bool mayMerge(const SurfaceMesh& mesh, const Surroundings& about, int a, int b, 
     for (const std::size_t t : about.triangles[static_cast<std::size_t>(from)]) {
       Triangle corners = mesh.triangles[t];
       if (std::ranges::count(corners, a) + std::ranges::count(corners, b) == 2) continue;  // goes
-      std::ranges::rotate(corners, std::ranges::find(corners, from));
+      std::rotate(corners.begin(), std::find(corners.begin(), corners.end(), from), corners.end());
       const Vec3 p = vertex(mesh, corners[1]);
       const Vec3 q = vertex(mesh, corners[2]);
       if ((p - x).cross(q - x).normalized().dot(normalOf(mesh, from, corners[1], corners[2])) < leastTurn) return false;
