@@ -1,0 +1,308 @@
+#include "engine/statics/rest.h"
+
+#include "engine/statics/at_rest.h"
+#include "engine/statics/cusp.h"
+#include "engine/statics/equilibrium.h"
+#include "engine/statics/support.h"
+#include "engine/statics/tension_form.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+namespace muelle::engine {
+
+namespace {
+
+constexpr long long firstTry = 40;  // factorisations from the scene's start, before force densities have a go
+constexpr int glancing = 12;        // Newton's method from the scene's start
+constexpr int polishing = 20;       // and at the end, on tensions
+constexpr int fromForceDensity = 60;
+
+/// Whether springs, gravity and forces are all there is: then a shape in which all springs pull is the lowest.
+bool isNet(const Model& model) {
+  const bool pushOnly = std::ranges::any_of(model.springs, [](const ModelSpring& s) { return s.unilateral; });
+  return !pushOnly && model.angles.empty() && model.dihedrals.empty() && model.areas.empty() && model.volumes.empty() &&
+         model.properties.empty() && model.obstacles.empty();
+}
+
+class RestSearch {
+ public:
+  RestSearch(const ModelSystem& system, const RestOptions& options)
+      : system_(system), options_(options), still_(system, options.time) {}
+  RestResult run();
+
+ private:
+  void placeAtTime();
+  void search();
+  bool standsAlready();
+  bool fromStart(long long mostFactorisations);
+  bool fromForceDensities();
+  bool polish();
+  bool startIsNoShape() const;
+  void descend();
+  const Curvature& shapeCurvature();
+  void judge();
+  bool onCusp();
+  void take(const TensionForm& form, const Imbalance& imbalance);
+  double elementSize() const;
+  int nodeOf(int unknown) const;
+
+  const ModelSystem& system_;
+  const RestOptions& options_;
+  AtRest still_;
+  RestResult result_;
+  State start_;
+  std::unique_ptr<TensionForm> form_;  // of the shape in result_, once it is found
+  std::optional<Curvature> curvature_;
+  bool found_ = false;
+  bool ranAway_ = false;
+};
+
+/// The node of the model that an unknown belongs to.
+int RestSearch::nodeOf(int unknown) const {
+  const Model& model = system_.model();
+  const int axis = model.dimension == 2 ? model.plane[0] : 0;
+  for (int node = 0; node < system_.nodeCount(); ++node) {
+    const int first = system_.unknown(node, axis);
+    if (first >= 0 && unknown >= first && unknown < first + system_.dimension()) return node;
+  }
+  return -1;
+}
+
+/// The length of a typical element [m]: the median spring's, else the size of the scene.
+double RestSearch::elementSize() const {
+  std::vector<double> lengths;
+  for (const ModelSpring& s : system_.model().springs) {
+    const double L = (system_.position(start_, s.a) - system_.position(start_, s.b)).norm();
+    lengths.push_back(std::max(L, s.L0));
+  }
+  if (lengths.empty()) return 1.0;
+  const auto middle = lengths.begin() + std::ssize(lengths) / 2;
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle > 0.0 ? *middle : 1.0;
+}
+
+void RestSearch::placeAtTime() {
+  start_ = system_.initialState();
+  start_.t = options_.time;
+  std::ranges::fill(start_.v, 0.0);
+  start_.z.assign(static_cast<std::size_t>(system_.internalSize()), 0.0);
+  if (system_.switching() != nullptr) system_.switching()->commit(start_, false);
+  result_.state = start_;
+}
+
+bool RestSearch::onCusp() {
+  const std::vector<int> built = nodesOnACusp(still_, result_.state, elementSize());
+  result_.nodes.clear();
+  for (const int node : built) result_.nodes.push_back(nodeOf(node * system_.dimension()));
+  std::ranges::sort(result_.nodes);
+  return !built.empty();
+}
+
+void RestSearch::take(const TensionForm& form, const Imbalance& imbalance) {
+  result_.state = start_;
+  result_.state.x = form.positions();
+  result_.tensions = form.tensions();
+  result_.residual = imbalance.force;
+  result_.worstNode = nodeOf(imbalance.worstUnknown);
+  result_.roundOff = imbalance.forceFloor;
+  result_.unknownTensions = form.unknownTensions();
+  result_.lengthError = std::max(0.0, imbalance.length);
+  result_.load = form.load();
+  curvature_.reset();
+}
+
+/// Newton's method on tensions from the state in the result; whether it ends in balance. Its shape is taken if so.
+bool RestSearch::polish() {
+  auto form = std::make_unique<TensionForm>(system_, start_);
+  form->place(result_.state.x);
+  const Imbalance imbalance = form->solve(polishing, false);
+  result_.work += form->work();
+  if (!imbalance.atRoundOff && !result_.tensions.empty()) return false;
+  take(*form, imbalance);
+  form_ = std::move(form);
+  return imbalance.atRoundOff;
+}
+
+/// Whether the scene's start is an equilibrium but for a small change of shape: Newton's method ends near it. Of a
+/// saddle that change has to lie across the way down, or the scene stands beside it and falls.
+bool RestSearch::standsAlready() {
+  auto form = std::make_unique<TensionForm>(system_, start_);
+  const Imbalance imbalance = form->solve(glancing, false);
+  result_.work += form->work();
+  if (!imbalance.atRoundOff) return false;
+  const std::vector<double> x = form->positions();
+  const double size = elementSize();
+  double moved = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) moved = std::max(moved, std::abs(x[i] - start_.x[i]));
+  if (!(moved <= 0.25 * size)) return false;
+  take(*form, imbalance);
+  form_ = std::move(form);
+  const Curvature& curvature = shapeCurvature();
+  double down = 0.0;
+  for (std::size_t i = 0; i < curvature.along.size(); ++i) down += curvature.along[i] * (x[i] - start_.x[i]);
+  if (curvature.smallest >= -curvature.roundOff || std::abs(down) <= 0.01 * size) return true;
+  form_.reset();
+  result_.state = start_;
+  result_.tensions.clear();
+  return false;
+}
+
+/// Downhill by positions, from where the result stands.
+bool RestSearch::fromStart(long long mostFactorisations) {
+  StaticOptions options;
+  options.judge = false;
+  options.leaveSaddles = false;
+  options.mostFactorisations = mostFactorisations;
+  options.mostIterations = 5000;
+  const StaticResult down = equilibrium(still_, result_.state, options);
+  result_.work += down.work;
+  result_.state = down.state;
+  ranAway_ = down.ranAway;
+  if (ranAway_) return false;
+  const bool exhausted = !down.balanced && down.work.factorisations >= mostFactorisations;
+  return !exhausted && polish();
+}
+
+bool RestSearch::fromForceDensities() {
+  if (!isNet(system_.model())) return false;
+  auto form = std::make_unique<TensionForm>(system_, start_);
+  const bool placed = form->placeByForceDensity();
+  const Imbalance imbalance = placed ? form->solve(fromForceDensity, true) : Imbalance{};
+  result_.work += form->work();
+  if (!placed || !imbalance.atRoundOff) return false;
+  take(*form, imbalance);
+  form_ = std::move(form);
+  result_.byForceDensity = true;
+  return true;
+}
+
+/// Whether the springs hold more energy at the start than the loads could have put there.
+bool RestSearch::startIsNoShape() const {
+  const TensionForm form(system_, start_);
+  const std::vector<double> tensions = form.tensions();
+  double elastic = 0.0, length = 0.0;
+  for (std::size_t i = 0; i < tensions.size(); ++i) {
+    const ModelSpring& s = system_.model().springs[i];
+    length = std::max(length, s.L0);
+    if (s.k > 0.0 && tensions[i] < 0.0) elastic += 0.5 * tensions[i] * tensions[i] / s.k;
+  }
+  Vec3 low = Vec3::Constant(INFINITY), high = Vec3::Constant(-INFINITY);
+  for (int node = 0; node < system_.nodeCount(); ++node) {
+    const Vec3 x = system_.position(start_, node);
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  return form.load() > 0.0 && elastic > form.load() * std::max((high - low).norm(), length);
+}
+
+void RestSearch::search() {
+  const bool densitiesFirst = isNet(system_.model()) && startIsNoShape();
+  found_ = densitiesFirst ? fromForceDensities() : standsAlready();
+  if (!found_ && isNet(system_.model())) {
+    found_ = fromStart(firstTry);
+    if (found_ || ranAway_) return;
+    if (!densitiesFirst) found_ = fromForceDensities();
+  }
+  if (!found_) found_ = fromStart(options_.mostFactorisations);
+}
+
+/// From saddle to saddle down to something that is none.
+void RestSearch::descend() {
+  StaticOptions options;
+  options.mostIterations = 5000;
+  options.mostFactorisations = options_.mostFactorisations;
+  for (int i = 0; i < 20 && result_.verdict == Verdict::Saddle; ++i) {
+    const StaticResult down = equilibrium(still_, result_.state, options);
+    result_.work += down.work;
+    if (down.saddlesLeft == 0) return;
+    result_.saddlesLeft += down.saddlesLeft;
+    result_.state = down.state;
+    result_.tensions.clear();
+    result_.byForceDensity = false;
+    found_ = polish();
+    judge();
+  }
+}
+
+/// The curvature at the shape that was found, worked out once.
+const Curvature& RestSearch::shapeCurvature() {
+  if (curvature_) return *curvature_;
+  const Work before = form_->work();
+  curvature_ = form_->curvature();
+  Work spent = form_->work();
+  spent.factorisations -= before.factorisations;
+  spent.forceEvaluations -= before.forceEvaluations;
+  spent.jacobians -= before.jacobians;
+  spent.solves -= before.solves;
+  spent.newtonIterations -= before.newtonIterations;
+  result_.work += spent;
+  return *curvature_;
+}
+
+void RestSearch::judge() {
+  if (!found_) {
+    result_.verdict = ranAway_ ? Verdict::Unsupported : onCusp() ? Verdict::Cusp : Verdict::NoneFound;
+    return;
+  }
+  if (onCusp()) {
+    result_.verdict = Verdict::Cusp;
+    return;
+  }
+  const Curvature& curvature = shapeCurvature();
+  result_.smallestEigenvalue = curvature.smallest;
+  result_.eigenvalueRoundOff = curvature.roundOff;
+  result_.negativeEigenvalues = curvature.negative;
+  if (!curvature.known) {
+    result_.verdict = Verdict::Unsure;
+    return;
+  }
+  if (!curvature.along.empty()) {
+    const auto largest = std::ranges::max_element(curvature.along, {}, [](double y) { return std::abs(y); });
+    result_.softestNode = nodeOf(static_cast<int>(largest - curvature.along.begin()));
+  }
+  const bool flat = std::abs(curvature.smallest) <= curvature.roundOff;
+  result_.verdict = flat ? Verdict::Neutral : curvature.smallest > 0.0 ? Verdict::Stable : Verdict::Saddle;
+  const bool pulls = std::ranges::all_of(result_.tensions, [](double T) { return T >= 0.0; });
+  result_.isLowest = pulls && isNet(system_.model()) && !result_.tensions.empty();
+}
+
+RestResult RestSearch::run() {
+  placeAtTime();
+  if (const std::optional<Unsupported> loose = findUnsupported(system_, start_.t)) {
+    result_.verdict = Verdict::Unsupported;
+    result_.nodes = loose->nodes;
+    result_.carried = loose->load;
+  } else if (onCusp()) {
+    result_.verdict = Verdict::Cusp;
+  } else {
+    search();
+    judge();
+    if (options_.leaveSaddles) descend();
+  }
+  if (result_.tensions.empty()) {
+    TensionForm form(system_, start_);
+    form.place(result_.state.x);
+    take(form, form.imbalance());
+  }
+  result_.energy = still_.potential()->energy(result_.state.t, result_.state.x, result_.state.z);
+  for (int node = 0; node < system_.nodeCount(); ++node) {
+    const double way = (system_.position(result_.state, node) - system_.position(start_, node)).norm();
+    result_.furthest = std::max(result_.furthest, way);
+  }
+  std::vector<double> all(result_.state.x.size()), conservative(result_.state.x.size());
+  system_.force(result_.state.t, result_.state.x, result_.state.v, result_.state.z, all);
+  still_.potential()->conservativeForce(result_.state.t, result_.state.x, result_.state.z, conservative);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    result_.unbalanced = std::max(result_.unbalanced, std::abs(all[i] - conservative[i]));
+  }
+  return result_;
+}
+
+}  // namespace
+
+RestResult rest(const ModelSystem& system, const RestOptions& options) { return RestSearch(system, options).run(); }
+
+}  // namespace muelle::engine
