@@ -209,20 +209,28 @@ void RestSearch::search() {
   if (!found_) found_ = fromStart(options_.mostFactorisations);
 }
 
-/// From saddle to saddle down to something that is none.
+/// From saddle to saddle down to something that is none. Stays on the last one from which no way down is found.
 void RestSearch::descend() {
   StaticOptions options;
   options.mostIterations = 5000;
   options.mostFactorisations = options_.mostFactorisations;
   for (int i = 0; i < 20 && result_.verdict == Verdict::Saddle; ++i) {
+    const RestResult saddle = result_;
     const StaticResult down = equilibrium(still_, result_.state, options);
     result_.work += down.work;
-    if (down.saddlesLeft == 0) return;
-    result_.saddlesLeft += down.saddlesLeft;
     result_.state = down.state;
     result_.tensions.clear();
     result_.byForceDensity = false;
-    found_ = polish();
+    found_ = down.saddlesLeft > 0 && !down.ranAway && polish();
+    result_.saddlesLeft += std::max(1, down.saddlesLeft);
+    // Stiff springs make the way down too long for a search by positions.
+    if (!found_) found_ = fromForceDensities();
+    if (!found_) {
+      const Work work = result_.work;
+      result_ = saddle;
+      result_.work = work;
+      return;
+    }
     judge();
   }
 }
@@ -292,17 +300,22 @@ RestResult RestSearch::run() {
     const double way = (system_.position(result_.state, node) - system_.position(start_, node)).norm();
     result_.furthest = std::max(result_.furthest, way);
   }
-  std::vector<double> all(result_.state.x.size()), conservative(result_.state.x.size());
-  system_.force(result_.state.t, result_.state.x, result_.state.v, result_.state.z, all);
-  still_.potential()->conservativeForce(result_.state.t, result_.state.x, result_.state.z, conservative);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    result_.unbalanced = std::max(result_.unbalanced, std::abs(all[i] - conservative[i]));
-  }
   return result_;
 }
 
 }  // namespace
 
-RestResult rest(const ModelSystem& system, const RestOptions& options) { return RestSearch(system, options).run(); }
+RestResult rest(const ModelSystem& system, const RestOptions& options) {
+  const auto rubs = [](const Obstacle& obstacle) { return obstacle.material.mu > 0.0; };
+  if (std::ranges::none_of(system.model().obstacles, rubs)) return RestSearch(system, options).run();
+  Model smooth = system.model();
+  for (Obstacle& obstacle : smooth.obstacles) obstacle.material.mu = 0.0;
+  const auto without = build(smooth);
+  RestResult result = RestSearch(*without, options).run();
+  // The internal variables are those of the system that was asked for.
+  result.state.z.assign(static_cast<std::size_t>(system.internalSize()), 0.0);
+  if (system.switching() != nullptr) system.switching()->commit(result.state, false);
+  return result;
+}
 
 }  // namespace muelle::engine

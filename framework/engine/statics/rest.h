@@ -44,7 +44,6 @@ struct RestResult {
   bool byForceDensity = false;  ///< found from force densities and not from the scene's start
   int saddlesLeft = 0;
   double furthest = 0.0;        ///< largest way of a node from its start [m]
-  double unbalanced = 0.0;      ///< largest force without potential (friction) there, which is left out [N]
   std::vector<int> nodes;       ///< on a cusp; unsupported
   Vec3 carried = Vec3::Zero();  ///< the load that nothing carries [N], of Unsupported
   Work work;
@@ -65,7 +64,7 @@ struct RestResult {
 /// A balanced shape of springs and loads in which no spring pushes is one of least energy: replacing each spring's
 /// energy by 0 where it would push gives a convex function that nowhere exceeds the energy and equals it there.
 ///
-/// Friction and damping have no part in it.
+/// Friction and damping have no part in it: obstacles are smooth.
 RestResult rest(const ModelSystem& system, const RestOptions& options = {});
 
 }  // namespace muelle::engine

@@ -91,6 +91,7 @@ struct TensionForm::Parts {
   std::vector<int> lowRankRow;
   Eigen::Index rows = 0;
   bool laidOut = false;
+  bool analysed = false;
   double load = 0.0;
   double typicalLength = 1.0;
   Work work;
@@ -108,8 +109,10 @@ struct TensionForm::Parts {
   bool solve(const Vector& b, Vector& x) const;
   Imbalance imbalance() const;
   double hang(const std::vector<double>& density);
+  void guessTensions();
+  void addTension(const Line& line, Triplets& entries) const;
   double largestEntry() const;
-  Curvature lowest(double shift, int negative);
+  Curvature lowest(double shift);
 };
 
 TensionForm::Parts::Parts(const ModelSystem& whole, const State& state)
@@ -194,6 +197,8 @@ void TensionForm::Parts::chooseUnknownTensions() {
     lengths += line.L;
   }
   typicalLength = lines.empty() || !(lengths > 0.0) ? 1.0 : lengths / static_cast<double>(lines.size());
+  // Where the start says nothing yet: what one spring would be strained that carries all.
+  across = std::max(across, load / typicalLength);
   const double rho = kept * across;
   const bool strained = across > leastStrain * stiffest;
   for (Line& line : lines) {
@@ -241,6 +246,7 @@ void TensionForm::Parts::layOut() {
   for (Eigen::Index r = 0; r < K.lowRank.s.size(); ++r) lowRankRow.push_back(next++);
   rows = next;
   laidOut = true;
+  analysed = false;
 }
 
 void TensionForm::Parts::assembleOthers() {
@@ -258,7 +264,7 @@ TensionForm::Parts::Found TensionForm::Parts::factorise(double shift) {
   const auto row = [&](Eigen::Index unknown) { return rowOf[static_cast<std::size_t>(unknown)]; };
   for (Eigen::Index j = 0; j < size; ++j) {
     for (Sparse::InnerIterator entry(K.sparse, j); entry; ++entry) {
-      if (entry.value() != 0.0) entries.emplace_back(row(entry.row()), row(j), entry.value());
+      entries.emplace_back(row(entry.row()), row(j), entry.value());
     }
     entries.emplace_back(row(j), row(j), shift);
   }
@@ -282,14 +288,7 @@ TensionForm::Parts::Found TensionForm::Parts::factorise(double shift) {
     }
     if (!line.mixed) continue;
     ++tensions;
-    // The unknown is S / rho, so that all entries are of one size.
-    for (const auto& [end, sign] : {std::pair(line.a, line.rho), std::pair(line.b, -line.rho)}) {
-      for (Eigen::Index c = 0; end >= 0 && c < dimension; ++c) {
-        entries.emplace_back(row(end + c), line.row, sign * line.n[c]);
-        entries.emplace_back(line.row, row(end + c), sign * line.n[c]);
-      }
-    }
-    entries.emplace_back(line.row, line.row, -line.rho * (line.rho / (line.k - line.rho)));
+    addTension(line, entries);
   }
   for (std::size_t r = 0; r < lowRankRow.size(); ++r) {
     const double s = K.lowRank.s[static_cast<Eigen::Index>(r)];
@@ -305,7 +304,9 @@ TensionForm::Parts::Found TensionForm::Parts::factorise(double shift) {
   matrix.resize(rows, rows);
   matrix.setFromTriplets(entries.begin(), entries.end());
   ++work.factorisations;
-  ldlt.compute(matrix);
+  if (!analysed) ldlt.analyzePattern(matrix);
+  analysed = true;
+  ldlt.factorize(matrix);
   Found found;
   if (ldlt.info() != Eigen::Success) return found;
   const Vector& pivots = ldlt.vectorD();
@@ -392,9 +393,8 @@ double TensionForm::Parts::largestEntry() const {
 }
 
 /// Inverse iteration with the last factors, those of K + shift I.
-Curvature TensionForm::Parts::lowest(double shift, int negative) {
+Curvature TensionForm::Parts::lowest(double shift) {
   Curvature result;
-  result.negative = negative;
   Vector y(size), b = Vector::Zero(rows), x(rows);
   for (Eigen::Index i = 0; i < size; ++i) y[i] = 1.0 + 0.5 * std::sin(1.7 * static_cast<double>(i));
   y.normalize();
@@ -430,6 +430,62 @@ Curvature TensionForm::Parts::lowest(double shift, int negative) {
   result.roundOff = 256.0 * eps * std::sqrt(sum);
   result.along.assign(y.data(), y.data() + size);
   return result;
+}
+
+/// Tensions that leave the least sum of forces (least squares), where they do better than those that the lengths say:
+/// a spring that is drawn at its rest length says nothing, and a stiff one nothing but round-off.
+void TensionForm::Parts::guessTensions() {
+  const bool any = std::ranges::any_of(lines, [](const Line& line) { return line.mixed; });
+  if (!any || !(load > 0.0)) return;
+  const double before = imbalance().merit;
+  std::vector<double> said;
+  double rho = 0.0;
+  for (Line& line : lines) {
+    said.push_back(line.S);
+    if (!line.mixed) continue;
+    line.S = -line.rho * (line.L - line.L0);
+    rho = line.rho;
+  }
+  measure();
+  assembleOthers();
+  // The matrix of the method with rho I in the place of the stiffness.
+  Triplets entries;
+  Vector b = Vector::Zero(rows), x;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const int row = rowOf[static_cast<std::size_t>(i)];
+    entries.emplace_back(row, row, rho);
+    b[row] = F[static_cast<std::size_t>(i)];
+  }
+  for (const Line& line : lines) {
+    if (line.mixed) addTension(line, entries);
+  }
+  for (const int row : lowRankRow) entries.emplace_back(row, row, -1.0);
+  matrix.resize(rows, rows);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  ++work.factorisations;
+  ldlt.compute(matrix);
+  analysed = false;
+  ++work.solves;
+  const bool solved = ldlt.info() == Eigen::Success && solve(b, x);
+  for (std::size_t j = 0; solved && j < lines.size(); ++j) {
+    if (lines[j].mixed) lines[j].S += lines[j].rho * x[lines[j].row];
+  }
+  measure();
+  if (solved && imbalance().merit < before) return;
+  for (std::size_t j = 0; j < lines.size(); ++j) lines[j].S = said[j];
+  measure();
+}
+
+/// The rows and columns of an unknown tension: of S / rho, so that all entries are of one size.
+void TensionForm::Parts::addTension(const Line& line, Triplets& entries) const {
+  for (const auto& [end, sign] : {std::pair(line.a, line.rho), std::pair(line.b, -line.rho)}) {
+    for (Eigen::Index c = 0; end >= 0 && c < dimension; ++c) {
+      const int row = rowOf[static_cast<std::size_t>(end + c)];
+      entries.emplace_back(row, line.row, sign * line.n[c]);
+      entries.emplace_back(line.row, row, sign * line.n[c]);
+    }
+  }
+  entries.emplace_back(line.row, line.row, -line.rho * (line.rho / (line.k - line.rho)));
 }
 
 /// Puts the nodes where force densities c times those given hold the loads, c such that the sum of L - L0 - T/k is 0;
@@ -493,13 +549,14 @@ double TensionForm::Parts::hang(const std::vector<double>& density) {
 
 TensionForm::TensionForm(const ModelSystem& system, const State& start)
     : parts_(std::make_unique<Parts>(system, start)) {
-  place(start.x);
-  const Parts& p = *parts_;
-  double load = 0.0;
+  Parts& p = *parts_;
+  p.lo = Vector::Zero(p.size);
+  p.hi = Eigen::Map<const Vector>(start.x.data(), p.size);
+  p.measure();
   for (Eigen::Index i = 0; i + p.dimension <= p.size; i += p.dimension) {
-    load += p.otherForce.segment(i, p.dimension).norm();
+    p.load += p.otherForce.segment(i, p.dimension).norm();
   }
-  parts_->load = load;
+  place(start.x);
 }
 
 TensionForm::~TensionForm() = default;
@@ -512,6 +569,7 @@ void TensionForm::place(In x) {
   p.measure();
   p.chooseUnknownTensions();
   p.measure();
+  p.guessTensions();
 }
 
 bool TensionForm::placeByForceDensity() {
@@ -628,7 +686,10 @@ Curvature TensionForm::curvature() {
     return none;
   }
   const Parts::Found plain = p.factorise(0.0);
-  if (plain.usable && plain.negative == 0) return p.lowest(0.0, 0);
+  if (plain.usable && plain.negative == 0) {
+    const Curvature direct = p.lowest(0.0);
+    if (direct.known) return direct;
+  }
   // Something is negative, or nothing holds it: the least shift that makes all of it positive, within a tenth.
   double low = 0.0, high = 1e-10 * scale;
   Parts::Found found = p.factorise(high);
@@ -643,9 +704,13 @@ Curvature TensionForm::curvature() {
     found = p.factorise(middle);
     (found.usable && found.negative <= 0 ? high : low) = middle;
   }
-  found = p.factorise(high);
-  if (!found.usable) return {};
-  return p.lowest(high, plain.usable ? plain.negative : 0);
+  if (!p.factorise(high).usable) return {};
+  Curvature result = p.lowest(high);
+  if (result.smallest < -result.roundOff) {
+    const Parts::Found beyond = p.factorise(result.roundOff);
+    result.negative = beyond.usable ? std::max(1, beyond.negative) : 1;
+  }
+  return result;
 }
 
 std::vector<double> TensionForm::positions() const { return {parts_->hi.data(), parts_->hi.data() + parts_->size}; }
@@ -661,7 +726,7 @@ std::vector<double> TensionForm::tensions() const {
   for (const Line& line : p.lines) {
     const double T = line.tension();
     const bool directed = line.L > 0.0 || line.L0 == 0.0 || line.k == 0.0;
-    const bool isRoundOff = !line.mixed && std::abs(T) <= 4.0 * eps * line.k * line.L;
+    const bool isRoundOff = std::abs(T) <= 4.0 * eps * (line.mixed ? line.rho : line.k) * line.L;
     result[line.spring] = isRoundOff ? 0.0 : directed ? T : std::numeric_limits<double>::quiet_NaN();
   }
   return result;
