@@ -15,10 +15,10 @@ namespace muelle::engine {
 
 namespace {
 
-constexpr long long firstTry = 40;  // factorisations from the scene's start, before force densities have a go
-constexpr int glancing = 12;        // Newton's method from the scene's start
-constexpr int polishing = 20;       // and at the end, on tensions
-constexpr int fromForceDensity = 60;
+constexpr long long firstTry = 40;    // factorisations from the scene's start, before force densities have a go
+constexpr int glancing = 12;          // Newton's method from the scene's start
+constexpr int polishing = 20;         // and at the end, on tensions
+constexpr int fromForceDensity = 25;  // from the shape of a net under its loads
 
 /// Whether springs, gravity and forces are all there is: then a shape in which all springs pull is the lowest.
 bool isNet(const Model& model) {
@@ -162,8 +162,10 @@ bool RestSearch::fromStart(long long mostFactorisations) {
   result_.state = down.state;
   ranAway_ = down.ranAway;
   if (ranAway_) return false;
-  const bool exhausted = !down.balanced && down.work.factorisations >= mostFactorisations;
-  return !exhausted && polish();
+  // Newton's method may still find its way; but not before force densities have had a go.
+  const bool givesWay = mostFactorisations < options_.mostFactorisations && !down.balanced &&
+                        down.work.factorisations >= mostFactorisations;
+  return !givesWay && polish();
 }
 
 bool RestSearch::fromForceDensities() {
