@@ -79,7 +79,7 @@ void drawPositions(Figure& figure, const SceneAtRest& rest) {
 }  // namespace
 
 Figure figureOf(const Scene& scene, const SceneAtRest& rest) {
-  Figure figure("rest", "At rest: " + nameOf(rest.result.verdict), "node");
+  Figure figure("rest", (rest.result.isFound() ? "At rest: " : "Not at rest: ") + nameOf(rest.result.verdict), "node");
   const bool hasSprings = !rest.result.tensions.empty();
   figure.slide(hasSprings ? 2 : 1);
   if (scene.model.dimension == 1) {

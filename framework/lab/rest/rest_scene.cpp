@@ -199,7 +199,7 @@ std::string notes(const Scene& scene, const SceneAtRest& rest) {
     note("friction is left out: where it alone holds a scene, this says neutral or finds nothing");
   }
   if (result.byForceDensity && result.isFound()) {
-    note("found from the shape of a net under its loads: from the scene's start the way is long");
+    note("found from the shape of a net under its loads, as the way from the scene's start was long");
   }
   if (result.saddlesLeft > 0) {
     note(result.saddlesLeft == 1 ? "a saddle was left on the way"
