@@ -17,6 +17,7 @@ namespace {
 
 constexpr long long firstTry = 40;    // factorisations from the scene's start, before force densities have a go
 constexpr int glancing = 12;          // Newton's method from the scene's start
+constexpr double softEA = 1e3;        // over the load, of springs that a search by positions bends well
 constexpr int polishing = 20;         // and at the end, on tensions
 constexpr int fromForceDensity = 25;  // from the shape of a net under its loads
 
@@ -39,6 +40,7 @@ class RestSearch {
   bool standsAlready();
   bool fromStart(long long mostFactorisations);
   bool fromForceDensities();
+  bool fromSofter();
   bool polish();
   bool startIsNoShape() const;
   void descend();
@@ -181,6 +183,46 @@ bool RestSearch::fromForceDensities() {
   return true;
 }
 
+/// Downhill by positions with springs no stiffer than so that the loads strain them by a thousandth or so, then with
+/// their own stiffness from the shape and the tensions there: by positions alone stiff springs make the way a gorge.
+bool RestSearch::fromSofter() {
+  Model soft = system_.model();
+  const double load = TensionForm(system_, start_).load();
+  bool anyStiff = false;
+  for (ModelSpring& spring : soft.springs) {
+    const double cap = softEA * load / spring.L0;
+    if (!(load > 0.0) || !(spring.L0 > 0.0) || !(spring.k > cap)) continue;
+    spring.k = cap;
+    anyStiff = true;
+  }
+  if (!anyStiff) return false;
+  const auto softer = build(soft);
+  StaticOptions options;
+  options.judge = false;
+  options.mostFactorisations = options_.mostFactorisations / 2;
+  options.mostIterations = 5000;
+  const AtRest still(*softer, start_.t);
+  const StaticResult down = equilibrium(still, start_, options);
+  result_.work += down.work;
+  ranAway_ = down.ranAway;
+  if (ranAway_) {
+    result_.state = down.state;
+    return false;
+  }
+  const State softStart = down.state;
+  TensionForm bent(*softer, softStart);
+  bent.solve(polishing, false);
+  result_.work += bent.work();
+  auto form = std::make_unique<TensionForm>(system_, start_);
+  form->place(bent.positions(), bent.tensions());
+  const Imbalance imbalance = form->solve(polishing, false);
+  result_.work += form->work();
+  if (!imbalance.atRoundOff) return false;
+  take(*form, imbalance);
+  form_ = std::move(form);
+  return true;
+}
+
 /// Whether the springs hold more energy at the start than the loads could have put there.
 bool RestSearch::startIsNoShape() const {
   const TensionForm form(system_, start_);
@@ -208,7 +250,8 @@ void RestSearch::search() {
     if (found_ || ranAway_) return;
     if (!densitiesFirst) found_ = fromForceDensities();
   }
-  if (!found_) found_ = fromStart(options_.mostFactorisations);
+  if (!found_) found_ = fromSofter();
+  if (!found_ && !ranAway_) found_ = fromStart(options_.mostFactorisations);
 }
 
 /// From saddle to saddle down to something that is none. Stays on the last one from which no way down is found.

@@ -1,6 +1,7 @@
 #include "engine/statics/tension_form.h"
 
 #include "engine/forces/length.h"
+#include "engine/solve/dense.h"
 #include "engine/solve/linear_solver.h"
 #include "engine/statics/at_rest.h"
 
@@ -34,6 +35,17 @@ double difference(double a, double b, double& rest) {
   const double part = s - a;
   rest = (a - (s - part)) + (-b - part);
   return s;
+}
+
+/// Columns made orthonormal, twice over for the digits (modified Gram-Schmidt).
+void orthonormalise(MatX& Y) {
+  for (Eigen::Index c = 0; c < Y.cols(); ++c) {
+    for (int pass = 0; pass < 2; ++pass) {
+      for (Eigen::Index before = 0; before < c; ++before) Y.col(c) -= Y.col(before).dot(Y.col(c)) * Y.col(before);
+      const double size = Y.col(c).norm();
+      if (size > 0.0) Y.col(c) /= size;
+    }
+  }
 }
 
 /// A spring with at least one free node.
@@ -172,8 +184,8 @@ void TensionForm::Parts::measure() {
   F.assign(otherForce.data(), otherForce.data() + size);
   floor = otherForce.cwiseAbs();
   for (const Line& line : lines) {
+    if (!line.acts()) continue;
     const double T = line.tension();
-    if (T == 0.0) continue;
     for (Eigen::Index c = 0; c < dimension; ++c) {
       const double pull = T * line.n[c];
       if (line.a >= 0) F[static_cast<std::size_t>(line.a + c)] -= pull;
@@ -392,26 +404,41 @@ double TensionForm::Parts::largestEntry() const {
   return largest;
 }
 
-/// Inverse iteration with the last factors, those of K + shift I.
+/// Inverse iteration of a few vectors at once with the last factors, those of K + shift I: neighbours of the smallest
+/// eigenvalue do not slow it down.
 Curvature TensionForm::Parts::lowest(double shift) {
   Curvature result;
-  Vector y(size), b = Vector::Zero(rows), x(rows);
-  for (Eigen::Index i = 0; i < size; ++i) y[i] = 1.0 + 0.5 * std::sin(1.7 * static_cast<double>(i));
-  y.normalize();
+  const Eigen::Index width = std::min<Eigen::Index>(6, size);
+  MatX Y(size, width), X(rows, width);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    for (Eigen::Index c = 0; c < width; ++c) Y(i, c) = std::sin(1.0 + 1.7 * static_cast<double>((i + 1) * (c + 1)));
+  }
+  orthonormalise(Y);
+  Vector b = Vector::Zero(rows), x(rows), y;
   double value = 0.0;
-  for (int i = 0; i < 300; ++i) {
-    for (Eigen::Index j = 0; j < size; ++j) b[rowOf[static_cast<std::size_t>(j)]] = y[j];
-    ++work.solves;
-    if (!solve(b, x)) return result;
-    Vector next(size);
-    for (Eigen::Index j = 0; j < size; ++j) next[j] = x[rowOf[static_cast<std::size_t>(j)]];
-    const double now = 1.0 / y.dot(next) - shift;
-    const double size1 = next.norm();
-    y = next / size1;
-    x /= size1;
-    const bool settled = i > 2 && std::abs(now - value) <= 1e-9 * std::abs(now + shift);
+  for (int i = 0; i < 100; ++i) {
+    MatX Z(size, width);
+    for (Eigen::Index c = 0; c < width; ++c) {
+      for (Eigen::Index j = 0; j < size; ++j) b[rowOf[static_cast<std::size_t>(j)]] = Y(j, c);
+      ++work.solves;
+      if (!solve(b, x)) return result;
+      X.col(c) = x;
+      for (Eigen::Index j = 0; j < size; ++j) Z(j, c) = x[rowOf[static_cast<std::size_t>(j)]];
+    }
+    const MatX B = Y.transpose() * Z;
+    const SymmetricEigenpairs pairs = symmetricEigenpairs(0.5 * (B + B.transpose()));
+    // Of K + shift I, which is positive but for round-off: the smallest eigenvalue has the largest inverse.
+    Eigen::Index best = 0;
+    pairs.values.cwiseAbs().maxCoeff(&best);
+    const double now = 1.0 / pairs.values[best] - shift;
+    y = Z * pairs.vectors.col(best);
+    x = X * pairs.vectors.col(best) / y.norm();
+    y.normalize();
+    const bool settled = i > 2 && std::abs(now - value) <= 1e-11 * std::abs(now + shift);
     value = now;
     if (settled) break;
+    Y = Z * pairs.vectors;
+    orthonormalise(Y);
   }
   // What the last bits of the entries do to y^T (K y): |A| |y|, and the tensions' rows with their part of x.
   Vector sizes = Vector::Zero(rows);
@@ -570,6 +597,16 @@ void TensionForm::place(In x) {
   p.chooseUnknownTensions();
   p.measure();
   p.guessTensions();
+}
+
+void TensionForm::place(In x, const std::vector<double>& tensions) {
+  place(x);
+  Parts& p = *parts_;
+  for (Line& line : p.lines) {
+    const double T = tensions[line.spring];
+    if (line.mixed && std::isfinite(T)) line.S = T - line.rho * (line.L - line.L0);
+  }
+  p.measure();
 }
 
 bool TensionForm::placeByForceDensity() {

@@ -53,6 +53,8 @@ class TensionForm {
 
   /// Puts the nodes at `x`, each tension as the length says.
   void place(In x);
+  /// The same with the unknown tensions given, [N] for each spring of the model.
+  void place(In x, const std::vector<double>& tensions);
   /// Puts the nodes where springs of rest length 0 would hold the loads, all with the force density c / L0, and c such
   /// that the lengths are right on the average: one linear system (Schek 1974, The force density method). False where
   /// nothing pulls on springs alone: some node is not tied to a fixed one, or there is no load.
