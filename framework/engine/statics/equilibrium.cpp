@@ -29,7 +29,7 @@ class Search {
     rest_ = Vector::Zero(x_.size());
     radius_ = 0.1 * extent();
     start_ = x_;
-    furthest_ = 1e8 * extent();
+    furthest_ = options.furthest > 0.0 ? options.furthest : 1e8 * extent();
   }
 
   void run();

@@ -41,6 +41,9 @@ class RestSearch {
   bool fromStart(long long mostFactorisations);
   bool fromForceDensities();
   bool fromSofter();
+  std::unique_ptr<ModelSystem> softened(double EA) const;
+  std::unique_ptr<TensionForm> stiffened(const ModelSystem& system, const TensionForm& from);
+  StaticOptions searchOptions(long long mostFactorisations) const;
   bool polish();
   bool startIsNoShape() const;
   void descend();
@@ -154,11 +157,7 @@ bool RestSearch::standsAlready() {
 
 /// Downhill by positions, from where the result stands.
 bool RestSearch::fromStart(long long mostFactorisations) {
-  StaticOptions options;
-  options.judge = false;
-  options.leaveSaddles = false;
-  options.mostFactorisations = mostFactorisations;
-  options.mostIterations = 5000;
+  const StaticOptions options = searchOptions(mostFactorisations);
   const StaticResult down = equilibrium(still_, result_.state, options);
   result_.work += down.work;
   result_.state = down.state;
@@ -183,44 +182,85 @@ bool RestSearch::fromForceDensities() {
   return true;
 }
 
-/// Downhill by positions with springs no stiffer than so that the loads strain them by a thousandth or so, then with
-/// their own stiffness from the shape and the tensions there: by positions alone stiff springs make the way a gorge.
-bool RestSearch::fromSofter() {
+/// The model with springs no stiffer than EA; nothing where none is stiffer.
+std::unique_ptr<ModelSystem> RestSearch::softened(double EA) const {
   Model soft = system_.model();
-  const double load = TensionForm(system_, start_).load();
-  bool anyStiff = false;
+  bool any = false;
   for (ModelSpring& spring : soft.springs) {
-    const double cap = softEA * load / spring.L0;
-    if (!(load > 0.0) || !(spring.L0 > 0.0) || !(spring.k > cap)) continue;
-    spring.k = cap;
-    anyStiff = true;
+    if (!(spring.L0 > 0.0) || !(spring.k * spring.L0 > EA)) continue;
+    spring.k = EA / spring.L0;
+    any = true;
   }
-  if (!anyStiff) return false;
-  const auto softer = build(soft);
-  StaticOptions options;
-  options.judge = false;
-  options.mostFactorisations = options_.mostFactorisations / 2;
-  options.mostIterations = 5000;
-  const AtRest still(*softer, start_.t);
-  const StaticResult down = equilibrium(still, start_, options);
+  return any ? build(soft) : nullptr;
+}
+
+/// Newton's method for the springs of `system` from a shape with other ones: with their tensions, which the loads make,
+/// or as the lengths say, where springs that do not fit strain each other.
+std::unique_ptr<TensionForm> RestSearch::stiffened(const ModelSystem& system, const TensionForm& from) {
+  for (const bool keepTensions : {true, false}) {
+    auto form = std::make_unique<TensionForm>(system, start_);
+    if (keepTensions) {
+      form->place(from.positions(), from.tensions());
+    } else {
+      form->place(from.positions());
+    }
+    const bool balanced = form->solve(polishing, false).atRoundOff;
+    result_.work += form->work();
+    if (balanced) return form;
+  }
+  return nullptr;
+}
+
+/// Downhill by positions with springs no stiffer than so that the loads strain them by a thousandth or so, then with
+/// their own stiffness from the shape there, at once or by tens: by positions alone stiff springs make the way a gorge.
+bool RestSearch::fromSofter() {
+  double EA = softEA * TensionForm(system_, start_).load();
+  std::unique_ptr<ModelSystem> soft = EA > 0.0 ? softened(EA) : nullptr;
+  if (!soft) return false;
+  StaticOptions options = searchOptions(options_.mostFactorisations / 2);
+  const StaticResult down = equilibrium(AtRest(*soft, start_.t), start_, options);
   result_.work += down.work;
   ranAway_ = down.ranAway;
-  if (ranAway_) {
-    result_.state = down.state;
-    return false;
-  }
-  const State softStart = down.state;
-  TensionForm bent(*softer, softStart);
-  bent.solve(polishing, false);
-  result_.work += bent.work();
-  auto form = std::make_unique<TensionForm>(system_, start_);
-  form->place(bent.positions(), bent.tensions());
-  const Imbalance imbalance = form->solve(polishing, false);
+  if (ranAway_) result_.state = down.state;
+  if (ranAway_ || !down.balanced) return false;
+  auto form = std::make_unique<TensionForm>(*soft, start_);
+  form->place(down.state.x);
+  form->solve(polishing, false);
   result_.work += form->work();
-  if (!imbalance.atRoundOff) return false;
-  take(*form, imbalance);
-  form_ = std::move(form);
+  std::unique_ptr<TensionForm> next = stiffened(system_, *form);
+  while (!next) {
+    EA *= 10.0;
+    std::unique_ptr<ModelSystem> stiffer = softened(EA);
+    next = stiffened(stiffer ? *stiffer : system_, *form);
+    if (!next) return false;
+    if (!stiffer) break;
+    form = std::move(next);
+    soft = std::move(stiffer);
+  }
+  take(*next, next->imbalance());
+  form_ = std::move(next);
   return true;
+}
+
+/// A search that is ended where no node that is held can be, ten times over [m]: the size of the scene, all springs in
+/// a row, and what the loads make of the softest.
+StaticOptions RestSearch::searchOptions(long long mostFactorisations) const {
+  StaticOptions options;
+  options.judge = false;
+  options.leaveSaddles = false;
+  options.mostFactorisations = mostFactorisations;
+  options.mostIterations = 5000;
+  const Model& model = system_.model();
+  double reach = 1.0, softest = 0.0;
+  for (const ModelNode& node : model.nodes) reach = std::max(reach, 2.0 * (node.x - model.nodes[0].x).norm());
+  for (const Obstacle& obstacle : model.obstacles) reach += (obstacle.centre - model.nodes[0].x).norm();
+  for (const ModelSpring& spring : model.springs) {
+    reach += spring.L0;
+    if (spring.k > 0.0) softest = softest > 0.0 ? std::min(softest, spring.k) : spring.k;
+  }
+  if (softest > 0.0) reach += static_cast<double>(model.springs.size()) * TensionForm(system_, start_).load() / softest;
+  options.furthest = 10.0 * reach;
+  return options;
 }
 
 /// Whether the springs hold more energy at the start than the loads could have put there.
@@ -256,9 +296,9 @@ void RestSearch::search() {
 
 /// From saddle to saddle down to something that is none. Stays on the last one from which no way down is found.
 void RestSearch::descend() {
-  StaticOptions options;
-  options.mostIterations = 5000;
-  options.mostFactorisations = options_.mostFactorisations;
+  StaticOptions options = searchOptions(options_.mostFactorisations);
+  options.judge = true;
+  options.leaveSaddles = true;
   for (int i = 0; i < 20 && result_.verdict == Verdict::Saddle; ++i) {
     const RestResult saddle = result_;
     const StaticResult down = equilibrium(still_, result_.state, options);

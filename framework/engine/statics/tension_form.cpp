@@ -24,6 +24,8 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 /// 1e-16 x 100 and the matrix is as good without.
 constexpr double kept = 10.0;
 constexpr double stiff = 10.0;
+/// A shift of the matrix that holds back free motions, over its largest entry.
+constexpr double slight = 1e-9;
 /// Strains below are round-off of the positions: there are no tensions to be solved for.
 constexpr double leastStrain = 1e-14;
 /// Each is one linear system; eight bring a chain five times as long as its span to 1e-5 of its length.
@@ -184,7 +186,8 @@ void TensionForm::Parts::measure() {
   F.assign(otherForce.data(), otherForce.data() + size);
   floor = otherForce.cwiseAbs();
   for (const Line& line : lines) {
-    if (!line.acts()) continue;
+    // One that just does not push would with the next bit.
+    if (!line.acts() && !(line.onlyPushes && line.L <= (1.0 + 1e-12) * line.L0)) continue;
     const double T = line.tension();
     for (Eigen::Index c = 0; c < dimension; ++c) {
       const double pull = T * line.n[c];
@@ -657,7 +660,7 @@ Imbalance TensionForm::solve(int mostFactorisations, bool pulling) {
     Parts::Found found = p.factorise(shift);
     if (!found.usable && p.work.factorisations < last) {
       // Free to move without a force: a small shift leaves the rest of the step as it is.
-      shift = 1e-9 * p.largestEntry();
+      shift = slight * p.largestEntry();
       found = p.factorise(shift);
     }
     if (!found.usable) break;
@@ -703,7 +706,10 @@ Imbalance TensionForm::solve(int mostFactorisations, bool pulling) {
       p.lo = lo;
       for (std::size_t j = 0; j < S.size(); ++j) p.lines[j].S = S[j];
       p.measure();
-      break;
+      if (now.atRoundOff || shift > 0.0) break;
+      // Along what costs nothing the step is round-off over round-off: held back, the rest of it helps.
+      shift = slight * p.largestEntry();
+      continue;
     }
     now = next;
   }
