@@ -339,10 +339,7 @@ TensionForm::Parts::Found TensionForm::Parts::factorise(double shift) {
 bool TensionForm::Parts::solve(const Vector& b, Vector& x) const {
   x = ldlt.solve(b);
   if (!x.allFinite()) return false;
-  double norm = 0.0;
-  for (Eigen::Index j = 0; j < rows; ++j) {
-    for (Sparse::InnerIterator entry(matrix, j); entry; ++entry) norm = std::max(norm, std::abs(entry.value()));
-  }
+  const double norm = Eigen::Map<const Vector>(matrix.valuePtr(), matrix.nonZeros()).lpNorm<Eigen::Infinity>();
   double before = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 5; ++i) {
     const Vector left = b - matrix * x;
@@ -418,6 +415,7 @@ Curvature TensionForm::Parts::lowest(double shift) {
   }
   orthonormalise(Y);
   Vector b = Vector::Zero(rows), x(rows), y;
+  const double scale = largestEntry();
   double value = 0.0;
   for (int i = 0; i < 100; ++i) {
     MatX Z(size, width);
@@ -437,7 +435,8 @@ Curvature TensionForm::Parts::lowest(double shift) {
     y = Z * pairs.vectors.col(best);
     x = X * pairs.vectors.col(best) / y.norm();
     y.normalize();
-    const bool settled = i > 2 && std::abs(now - value) <= 1e-11 * std::abs(now + shift);
+    // Of what is 0 no digit ever settles.
+    const bool settled = i > 2 && std::abs(now - value) <= 1e-11 * std::abs(now + shift) + 4.0 * eps * scale;
     value = now;
     if (settled) break;
     Y = Z * pairs.vectors;
