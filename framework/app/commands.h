@@ -18,6 +18,7 @@ void addClean(CommandLine& program);
 #endif
 #if MUELLE_HAS_ENGINE
 void addRun(CommandLine& program);
+void addRest(CommandLine& program);
 void addHardCases(CommandLine& program);
 void addFigures(CommandLine& program);
 #endif

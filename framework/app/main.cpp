@@ -23,7 +23,7 @@ constexpr AddCommand commands[] = {
     addGrade, addTestTheTests, addClean,
 #endif
 #if MUELLE_HAS_ENGINE
-    addRun,   addHardCases,    addFigures,
+    addRun,   addRest,         addHardCases, addFigures,
 #endif
     addTest,  addDocs,
 };

@@ -21,6 +21,7 @@ void printNextSteps() {
 #endif
 #if MUELLE_HAS_ENGINE
   step("./muelle run elastic_pendulum --plot", "simulate a scene: error, energy, cost, curves");
+  step("./muelle rest hanging_chain --plot", "where a scene stands still: stable or not, tensions");
   step("./muelle figures", "draw the figures of the lecture");
   step("./muelle hard-cases", "every method on every hard case");
 #endif

@@ -59,6 +59,10 @@ if [[ -x "$bin/muelle-run" ]]; then
   try run --list
   try run oscillator --no-error-estimate
 fi
+if [[ -x "$bin/muelle-rest" ]]; then
+  try rest --help
+  try rest hanging_chain
+fi
 if [[ -x "$bin/muelle-figures" ]]; then try figures --list; fi
 if [[ -x "$bin/muelle-hard-cases" ]]; then try hard-cases --help; fi
 

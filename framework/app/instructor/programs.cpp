@@ -40,6 +40,10 @@ void addProgram(CommandLine& program, const std::string& name, const std::string
 
 void addRun(CommandLine& program) { addProgram(program, "run", "Simulate a scene: summary, error estimate, figures"); }
 
+void addRest(CommandLine& program) {
+  addProgram(program, "rest", "Where a scene stands still: stable or not, tensions, figure");
+}
+
 void addHardCases(CommandLine& program) {
   addProgram(program, "hard-cases", "Every method of the engine on every hard case: predicted first, then run");
 }

@@ -29,6 +29,8 @@ class Search {
     x_ = Eigen::Map<const Vector>(start.x.data(), static_cast<Eigen::Index>(start.x.size()));
     rest_ = Vector::Zero(x_.size());
     radius_ = 0.1 * extent();
+    start_ = x_;
+    furthest_ = options.furthest > 0.0 ? options.furthest : 1e8 * extent();
   }
 
   void run();
@@ -37,7 +39,7 @@ class Search {
   double roundOff() const { return floor_.size() > 0 ? floor_.maxCoeff() : 0.0; }
 
  private:
-  enum class Outcome { Balanced, Stuck, Exhausted };
+  enum class Outcome { Balanced, Stuck, Exhausted, RanAway };
 
   /// Half the size of the scene, as far as its free nodes tell [m].
   double extent() const { return x_.size() > 0 ? std::max((x_.array() - x_.mean()).abs().maxCoeff(), 1e-3) : 1e-3; }
@@ -69,11 +71,12 @@ class Search {
   StaticResult& result_;
   double t_;
   std::vector<double> z_;
-  Vector x_, F_, rest_, trial_, trialF_, step_, floor_, product_, diagonal_;
+  Vector x_, start_, F_, rest_, trial_, trialF_, step_, floor_, product_, diagonal_;
   double E_ = 0.0;
-  double scale_ = 1.0;   // largest entry of the Hessian [N/m]
-  double shift_ = 0.0;   // added to its diagonal [N/m]
-  double radius_ = 0.0;  // no unknown moves further in a step [m]: nodes should not jump over each other
+  double scale_ = 1.0;     // largest entry of the Hessian [N/m]
+  double shift_ = 0.0;     // added to its diagonal [N/m]
+  double furthest_ = 0.0;  // beyond it nothing holds a node [m]
+  double radius_ = 0.0;    // no unknown moves further in a step [m]: nodes should not jump over each other
   SystemMatrix H_;
   LinearSolver solver_;
 };
@@ -125,7 +128,8 @@ Search::Outcome Search::balance() {
   force(x_, F_);
   E_ = energy(x_);
   int stagnant = 0;
-  while (result_.iterations < options_.mostIterations) {
+  while (result_.iterations < options_.mostIterations && result_.work.factorisations < options_.mostFactorisations) {
+    if ((x_ - start_).lpNorm<Eigen::Infinity>() > furthest_) return Outcome::RanAway;
     ++result_.iterations;
     ++result_.work.newtonIterations;
     assemble();
@@ -232,6 +236,16 @@ void Search::run() {
     const Outcome outcome = balance();
     if (outcome == Outcome::Exhausted) {
       result_.message = "no equilibrium after " + counted(result_.iterations, "iteration");
+      return;
+    }
+    if (outcome == Outcome::RanAway) {
+      result_.ranAway = true;
+      result_.message = "nothing holds the nodes: the energy falls without end";
+      return;
+    }
+    result_.balanced = outcome == Outcome::Balanced;
+    if (!options_.judge) {
+      result_.message = result_.balanced ? "the forces balance" : "no step lowers the energy";
       return;
     }
     // Stuck: so close to a saddle that the energy does not show the way down, its curvature does.

@@ -10,6 +10,10 @@ namespace muelle::engine {
 /// How an equilibrium is sought.
 struct StaticOptions {
   int mostIterations = 1000;
+  long long mostFactorisations = 1'000'000;
+  double furthest = 0.0;  ///< [m] from the start: what goes further is held by nothing; 0: 1e8 times the nodes' extent
+  /// Look at the curvature where the forces balance; otherwise the search ends there, and `converged` stays false.
+  bool judge = true;
   bool leaveSaddles = true;  ///< go on along a direction of negative curvature where the forces balance on a saddle
   /// Curvature, relative to the largest entry of the stiffness matrix, that counts as zero: rigid motions and
   /// mechanisms have it.
@@ -19,6 +23,8 @@ struct StaticOptions {
 /// An equilibrium, or how far the search came.
 struct StaticResult {
   bool converged = false;             ///< the forces balance to round-off, and no direction lowers the energy
+  bool balanced = false;              ///< the forces balance to round-off, be it on a saddle
+  bool ranAway = false;               ///< some node went further than StaticOptions::furthest: nothing holds it
   State state;                        ///< with v = 0
   double energy = 0.0;                ///< potential energy [J]
   double residual = 0.0;              ///< largest sum of forces on a node [N]

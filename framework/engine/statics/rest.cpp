@@ -1,0 +1,406 @@
+#include "engine/statics/rest.h"
+
+#include "engine/statics/at_rest.h"
+#include "engine/statics/cusp.h"
+#include "engine/statics/equilibrium.h"
+#include "engine/statics/support.h"
+#include "engine/statics/tension_form.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+namespace muelle::engine {
+
+namespace {
+
+constexpr long long firstTry = 40;    // factorisations from the scene's start, before force densities have a go
+constexpr int glancing = 12;          // Newton's method from the scene's start
+constexpr double softEA = 1e3;        // over the load, of springs that a search by positions bends well
+constexpr int polishing = 20;         // and at the end, on tensions
+constexpr int fromForceDensity = 25;  // from the shape of a net under its loads
+
+/// Whether springs, gravity and forces are all there is: then a shape in which all springs pull is the lowest.
+bool isNet(const Model& model) {
+  const bool pushOnly = std::ranges::any_of(model.springs, [](const ModelSpring& s) { return s.unilateral; });
+  return !pushOnly && model.angles.empty() && model.dihedrals.empty() && model.areas.empty() && model.volumes.empty() &&
+         model.properties.empty() && model.obstacles.empty();
+}
+
+class RestSearch {
+ public:
+  RestSearch(const ModelSystem& system, const RestOptions& options)
+      : system_(system), options_(options), still_(system, options.time) {}
+  RestResult run();
+
+ private:
+  void placeAtTime();
+  void search();
+  bool standsAlready();
+  bool fromStart(long long mostFactorisations);
+  bool fromForceDensities();
+  bool fromSofter();
+  std::unique_ptr<ModelSystem> softened(double EA) const;
+  std::unique_ptr<TensionForm> stiffened(const ModelSystem& system, const TensionForm& from);
+  StaticOptions searchOptions(long long mostFactorisations) const;
+  bool polish();
+  bool startIsNoShape() const;
+  void descend();
+  const Curvature& shapeCurvature();
+  void judge();
+  bool onCusp();
+  void take(const TensionForm& form, const Imbalance& imbalance);
+  double elementSize() const;
+  int nodeOf(int unknown) const;
+
+  const ModelSystem& system_;
+  const RestOptions& options_;
+  AtRest still_;
+  RestResult result_;
+  State start_;
+  std::unique_ptr<TensionForm> form_;  // of the shape in result_, once it is found
+  std::optional<Curvature> curvature_;
+  bool found_ = false;
+  bool ranAway_ = false;
+};
+
+/// The node of the model that an unknown belongs to.
+int RestSearch::nodeOf(int unknown) const {
+  const Model& model = system_.model();
+  const int axis = model.dimension == 2 ? model.plane[0] : 0;
+  for (int node = 0; node < system_.nodeCount(); ++node) {
+    const int first = system_.unknown(node, axis);
+    if (first >= 0 && unknown >= first && unknown < first + system_.dimension()) return node;
+  }
+  return -1;
+}
+
+/// The length of a typical element [m]: the median spring's, else the size of the scene.
+double RestSearch::elementSize() const {
+  std::vector<double> lengths;
+  for (const ModelSpring& s : system_.model().springs) {
+    const double L = (system_.position(start_, s.a) - system_.position(start_, s.b)).norm();
+    lengths.push_back(std::max(L, s.L0));
+  }
+  if (lengths.empty()) return 1.0;
+  const auto middle = lengths.begin() + std::ssize(lengths) / 2;
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle > 0.0 ? *middle : 1.0;
+}
+
+void RestSearch::placeAtTime() {
+  start_ = system_.initialState();
+  start_.t = options_.time;
+  std::ranges::fill(start_.v, 0.0);
+  start_.z.assign(static_cast<std::size_t>(system_.internalSize()), 0.0);
+  if (system_.switching() != nullptr) system_.switching()->commit(start_, false);
+  result_.state = start_;
+}
+
+bool RestSearch::onCusp() {
+  const std::vector<int> built = nodesOnACusp(still_, result_.state, elementSize());
+  result_.nodes.clear();
+  for (const int node : built) result_.nodes.push_back(nodeOf(node * system_.dimension()));
+  std::ranges::sort(result_.nodes);
+  return !built.empty();
+}
+
+void RestSearch::take(const TensionForm& form, const Imbalance& imbalance) {
+  result_.state = start_;
+  result_.state.x = form.positions();
+  result_.tensions = form.tensions();
+  result_.residual = imbalance.force;
+  result_.worstNode = nodeOf(imbalance.worstUnknown);
+  result_.roundOff = imbalance.forceFloor;
+  result_.unknownTensions = form.unknownTensions();
+  result_.lengthError = std::max(0.0, imbalance.length);
+  result_.load = form.load();
+  curvature_.reset();
+}
+
+/// Newton's method on tensions from the state in the result; whether it ends in balance. Its shape is taken if so.
+bool RestSearch::polish() {
+  auto form = std::make_unique<TensionForm>(system_, start_);
+  form->place(result_.state.x);
+  const Imbalance imbalance = form->solve(polishing, false);
+  result_.work += form->work();
+  if (!imbalance.atRoundOff && !result_.tensions.empty()) return false;
+  take(*form, imbalance);
+  form_ = std::move(form);
+  return imbalance.atRoundOff;
+}
+
+/// Whether the scene's start is an equilibrium but for a small change of shape: Newton's method ends near it. Of a
+/// saddle that change has to lie across the way down, or the scene stands beside it and falls.
+bool RestSearch::standsAlready() {
+  auto form = std::make_unique<TensionForm>(system_, start_);
+  const Imbalance imbalance = form->solve(glancing, false);
+  result_.work += form->work();
+  if (!imbalance.atRoundOff) return false;
+  const std::vector<double> x = form->positions();
+  const double size = elementSize();
+  double moved = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) moved = std::max(moved, std::abs(x[i] - start_.x[i]));
+  if (!(moved <= 0.25 * size)) return false;
+  take(*form, imbalance);
+  form_ = std::move(form);
+  const Curvature& curvature = shapeCurvature();
+  double down = 0.0;
+  for (std::size_t i = 0; i < curvature.along.size(); ++i) down += curvature.along[i] * (x[i] - start_.x[i]);
+  if (curvature.smallest >= -curvature.roundOff || std::abs(down) <= 0.01 * size) return true;
+  form_.reset();
+  result_.state = start_;
+  result_.tensions.clear();
+  return false;
+}
+
+/// Downhill by positions, from where the result stands.
+bool RestSearch::fromStart(long long mostFactorisations) {
+  const StaticOptions options = searchOptions(mostFactorisations);
+  const StaticResult down = equilibrium(still_, result_.state, options);
+  result_.work += down.work;
+  result_.state = down.state;
+  ranAway_ = down.ranAway;
+  if (ranAway_) return false;
+  // Newton's method may still find its way; but not before force densities have had a go.
+  const bool givesWay = mostFactorisations < options_.mostFactorisations && !down.balanced &&
+                        down.work.factorisations >= mostFactorisations;
+  return !givesWay && polish();
+}
+
+bool RestSearch::fromForceDensities() {
+  if (!isNet(system_.model())) return false;
+  auto form = std::make_unique<TensionForm>(system_, start_);
+  const bool placed = form->placeByForceDensity();
+  const Imbalance imbalance = placed ? form->solve(fromForceDensity, true) : Imbalance{};
+  result_.work += form->work();
+  if (!placed || !imbalance.atRoundOff) return false;
+  take(*form, imbalance);
+  form_ = std::move(form);
+  result_.byForceDensity = true;
+  return true;
+}
+
+/// The model with springs no stiffer than EA; nothing where none is stiffer.
+std::unique_ptr<ModelSystem> RestSearch::softened(double EA) const {
+  Model soft = system_.model();
+  bool any = false;
+  for (ModelSpring& spring : soft.springs) {
+    if (!(spring.L0 > 0.0) || !(spring.k * spring.L0 > EA)) continue;
+    spring.k = EA / spring.L0;
+    any = true;
+  }
+  return any ? build(soft) : nullptr;
+}
+
+/// Newton's method for the springs of `system` from a shape with other ones: with their tensions, which the loads make,
+/// or as the lengths say, where springs that do not fit strain each other.
+std::unique_ptr<TensionForm> RestSearch::stiffened(const ModelSystem& system, const TensionForm& from) {
+  for (const bool keepTensions : {true, false}) {
+    auto form = std::make_unique<TensionForm>(system, start_);
+    if (keepTensions) {
+      form->place(from.positions(), from.tensions());
+    } else {
+      form->place(from.positions());
+    }
+    const bool balanced = form->solve(polishing, false).atRoundOff;
+    result_.work += form->work();
+    if (balanced) return form;
+  }
+  return nullptr;
+}
+
+/// Downhill by positions with springs no stiffer than so that the loads strain them by a thousandth or so, then with
+/// their own stiffness from the shape there, at once or by tens: by positions alone stiff springs make the way a gorge.
+bool RestSearch::fromSofter() {
+  double EA = softEA * TensionForm(system_, start_).load();
+  std::unique_ptr<ModelSystem> soft = EA > 0.0 ? softened(EA) : nullptr;
+  if (!soft) return false;
+  StaticOptions options = searchOptions(options_.mostFactorisations / 2);
+  const StaticResult down = equilibrium(AtRest(*soft, start_.t), start_, options);
+  result_.work += down.work;
+  ranAway_ = down.ranAway;
+  if (ranAway_) result_.state = down.state;
+  if (ranAway_ || !down.balanced) return false;
+  auto form = std::make_unique<TensionForm>(*soft, start_);
+  form->place(down.state.x);
+  form->solve(polishing, false);
+  result_.work += form->work();
+  std::unique_ptr<TensionForm> next = stiffened(system_, *form);
+  while (!next) {
+    EA *= 10.0;
+    std::unique_ptr<ModelSystem> stiffer = softened(EA);
+    next = stiffened(stiffer ? *stiffer : system_, *form);
+    if (!next) return false;
+    if (!stiffer) break;
+    form = std::move(next);
+    soft = std::move(stiffer);
+  }
+  take(*next, next->imbalance());
+  form_ = std::move(next);
+  return true;
+}
+
+/// A search that is ended where no node that is held can be, ten times over [m]: the size of the scene, all springs in
+/// a row, and what the loads make of the softest.
+StaticOptions RestSearch::searchOptions(long long mostFactorisations) const {
+  StaticOptions options;
+  options.judge = false;
+  options.leaveSaddles = false;
+  options.mostFactorisations = mostFactorisations;
+  options.mostIterations = 5000;
+  const Model& model = system_.model();
+  double reach = 1.0, softest = 0.0;
+  for (const ModelNode& node : model.nodes) reach = std::max(reach, 2.0 * (node.x - model.nodes[0].x).norm());
+  for (const Obstacle& obstacle : model.obstacles) reach += (obstacle.centre - model.nodes[0].x).norm();
+  for (const ModelSpring& spring : model.springs) {
+    reach += spring.L0;
+    if (spring.k > 0.0) softest = softest > 0.0 ? std::min(softest, spring.k) : spring.k;
+  }
+  if (softest > 0.0) reach += static_cast<double>(model.springs.size()) * TensionForm(system_, start_).load() / softest;
+  options.furthest = 10.0 * reach;
+  return options;
+}
+
+/// Whether the springs hold more energy at the start than the loads could have put there.
+bool RestSearch::startIsNoShape() const {
+  const TensionForm form(system_, start_);
+  const std::vector<double> tensions = form.tensions();
+  double elastic = 0.0, length = 0.0;
+  for (std::size_t i = 0; i < tensions.size(); ++i) {
+    const ModelSpring& s = system_.model().springs[i];
+    length = std::max(length, s.L0);
+    if (s.k > 0.0 && tensions[i] < 0.0) elastic += 0.5 * tensions[i] * tensions[i] / s.k;
+  }
+  Vec3 low = Vec3::Constant(INFINITY), high = Vec3::Constant(-INFINITY);
+  for (int node = 0; node < system_.nodeCount(); ++node) {
+    const Vec3 x = system_.position(start_, node);
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  return form.load() > 0.0 && elastic > form.load() * std::max((high - low).norm(), length);
+}
+
+void RestSearch::search() {
+  const bool densitiesFirst = isNet(system_.model()) && startIsNoShape();
+  found_ = densitiesFirst ? fromForceDensities() : standsAlready();
+  if (!found_ && isNet(system_.model())) {
+    found_ = fromStart(firstTry);
+    if (found_ || ranAway_) return;
+    if (!densitiesFirst) found_ = fromForceDensities();
+  }
+  if (!found_) found_ = fromSofter();
+  if (!found_ && !ranAway_) found_ = fromStart(options_.mostFactorisations);
+}
+
+/// From saddle to saddle down to something that is none. Stays on the last one from which no way down is found.
+void RestSearch::descend() {
+  StaticOptions options = searchOptions(options_.mostFactorisations);
+  options.judge = true;
+  options.leaveSaddles = true;
+  for (int i = 0; i < 20 && result_.verdict == Verdict::Saddle; ++i) {
+    const RestResult saddle = result_;
+    const StaticResult down = equilibrium(still_, result_.state, options);
+    result_.work += down.work;
+    result_.state = down.state;
+    result_.tensions.clear();
+    result_.byForceDensity = false;
+    found_ = down.saddlesLeft > 0 && !down.ranAway && polish();
+    result_.saddlesLeft += std::max(1, down.saddlesLeft);
+    // Stiff springs make the way down too long for a search by positions.
+    if (!found_) found_ = fromForceDensities();
+    if (!found_) {
+      const Work work = result_.work;
+      result_ = saddle;
+      result_.work = work;
+      return;
+    }
+    judge();
+  }
+}
+
+/// The curvature at the shape that was found, worked out once.
+const Curvature& RestSearch::shapeCurvature() {
+  if (curvature_) return *curvature_;
+  const Work before = form_->work();
+  curvature_ = form_->curvature();
+  Work spent = form_->work();
+  spent.factorisations -= before.factorisations;
+  spent.forceEvaluations -= before.forceEvaluations;
+  spent.jacobians -= before.jacobians;
+  spent.solves -= before.solves;
+  spent.newtonIterations -= before.newtonIterations;
+  result_.work += spent;
+  return *curvature_;
+}
+
+void RestSearch::judge() {
+  if (!found_) {
+    result_.verdict = ranAway_ ? Verdict::Unsupported : onCusp() ? Verdict::Cusp : Verdict::NoneFound;
+    return;
+  }
+  if (onCusp()) {
+    result_.verdict = Verdict::Cusp;
+    return;
+  }
+  const Curvature& curvature = shapeCurvature();
+  result_.smallestEigenvalue = curvature.smallest;
+  result_.eigenvalueRoundOff = curvature.roundOff;
+  result_.negativeEigenvalues = curvature.negative;
+  if (!curvature.known) {
+    result_.verdict = Verdict::Unsure;
+    return;
+  }
+  if (!curvature.along.empty()) {
+    const auto largest = std::ranges::max_element(curvature.along, {}, [](double y) { return std::abs(y); });
+    result_.softestNode = nodeOf(static_cast<int>(largest - curvature.along.begin()));
+  }
+  const bool flat = std::abs(curvature.smallest) <= curvature.roundOff;
+  result_.verdict = flat ? Verdict::Neutral : curvature.smallest > 0.0 ? Verdict::Stable : Verdict::Saddle;
+  const bool pulls = std::ranges::all_of(result_.tensions, [](double T) { return T >= 0.0; });
+  result_.isLowest = pulls && isNet(system_.model()) && !result_.tensions.empty();
+}
+
+RestResult RestSearch::run() {
+  placeAtTime();
+  if (const std::optional<Unsupported> loose = findUnsupported(system_, start_.t)) {
+    result_.verdict = Verdict::Unsupported;
+    result_.nodes = loose->nodes;
+    result_.carried = loose->load;
+  } else if (onCusp()) {
+    result_.verdict = Verdict::Cusp;
+  } else {
+    search();
+    judge();
+    if (options_.leaveSaddles) descend();
+  }
+  if (result_.tensions.empty()) {
+    TensionForm form(system_, start_);
+    form.place(result_.state.x);
+    take(form, form.imbalance());
+  }
+  result_.energy = still_.potential()->energy(result_.state.t, result_.state.x, result_.state.z);
+  for (int node = 0; node < system_.nodeCount(); ++node) {
+    const double way = (system_.position(result_.state, node) - system_.position(start_, node)).norm();
+    result_.furthest = std::max(result_.furthest, way);
+  }
+  return result_;
+}
+
+}  // namespace
+
+RestResult rest(const ModelSystem& system, const RestOptions& options) {
+  const auto rubs = [](const Obstacle& obstacle) { return obstacle.material.mu > 0.0; };
+  if (std::ranges::none_of(system.model().obstacles, rubs)) return RestSearch(system, options).run();
+  Model smooth = system.model();
+  for (Obstacle& obstacle : smooth.obstacles) obstacle.material.mu = 0.0;
+  const auto without = build(smooth);
+  RestResult result = RestSearch(*without, options).run();
+  // The internal variables are those of the system that was asked for.
+  result.state.z.assign(static_cast<std::size_t>(system.internalSize()), 0.0);
+  if (system.switching() != nullptr) system.switching()->commit(result.state, false);
+  return result;
+}
+
+}  // namespace muelle::engine
