@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -31,6 +32,13 @@ std::vector<double> declaredTimes(const System& system, double from, double to) 
   std::vector<double> times;
   if (system.switching() != nullptr) system.switching()->declaredTimes(from, to, times);
   return times;
+}
+
+/// The energy of all that has one, for the monitor; empty when the system has none.
+std::function<double(const State&)> potentialEnergyOf(const System& system) {
+  const Potential* potential = system.potential();
+  if (potential == nullptr) return {};
+  return [potential](const State& state) { return potential->energy(state.t, state.x, state.z); };
 }
 
 /// One run: plans each step, takes it, looks at what came out, and goes on from there.
@@ -108,8 +116,10 @@ Run::Run(const System& system, Method& method, State start, const RunOptions& op
       grid_(start_, options.h),
       stepper_(system, method, options.compensated, from_.x.size()),
       recorder_(options, start_),
-      monitor_(system, options.explosion, options.duration,
-               [&system](std::size_t unknown) { return system.unknownName(static_cast<int>(unknown)); }) {
+      monitor_(
+          system, options.explosion, options.duration,
+          [&system](std::size_t unknown) { return system.unknownName(static_cast<int>(unknown)); },
+          potentialEnergyOf(system)) {
   if (from_.z.empty()) from_.z.assign(static_cast<std::size_t>(system.internalSize()), 0.0);
   if (!frozen_) return;
   locator_.emplace(system, method, stepper_);

@@ -29,7 +29,7 @@ struct RunOptions {
   bool checkNumericalDamping = true;  ///< warn when the method damps modes that carry energy more than the scene does
   /// Record every output; false keeps only the last one, though the probes are called at each (long runs).
   bool keepStates = true;
-  double explosion = 1e6;  ///< stop when the kinetic energy exceeds this multiple of its natural scale
+  double explosion = 1e5;  ///< stop when the energy exceeds this multiple of its natural scale
   std::string label = {};  ///< of the progress bar; empty: none
 };
 
