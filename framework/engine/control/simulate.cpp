@@ -56,7 +56,7 @@ class Run {
   void cutAtObstacles(PlannedStep& step);
   StepResult locateEvent(PlannedStep& step);
   bool take(PlannedStep& step);
-  bool forceIsFinite();
+  bool forceIsFinite(double t);
   bool retryFailed(const PlannedStep& step, const StepResult& result);
   bool retryInexact(const PlannedStep& step, const StepResult& result);
   void shorten(PlannedStep& step, double length) const;
@@ -253,21 +253,21 @@ bool Run::take(PlannedStep& step) {
   }
 }
 
-/// Looks for the cause of a failed step: the force at its begin.
-bool Run::forceIsFinite() {
+/// Looks for the cause of a failed step: the force at its begin, or at another time from there.
+bool Run::forceIsFinite(double t) {
   std::vector<double> force(from_.x.size());
-  system_.force(from_.t, from_.x, from_.v, from_.z, force);
+  system_.force(t, from_.x, from_.v, from_.z, force);
   for (std::size_t i = 0; i < force.size(); ++i) {
     if (std::isfinite(force[i])) continue;
     const int unknown = static_cast<int>(i);
-    return stop({true, from_.t, unknown,
-                 fmt::format("t = {:.6g} s, {}: the force is not finite", from_.t, system_.unknownName(unknown))});
+    return stop(
+        {true, t, unknown, fmt::format("t = {:.6g} s, {}: the force is not finite", t, system_.unknownName(unknown))});
   }
   return true;
 }
 
 bool Run::retryFailed(const PlannedStep& step, const StepResult& result) {
-  if (!forceIsFinite()) return false;
+  if (!forceIsFinite(from_.t)) return false;
   ++result_.work.rejectedSteps;
   if (adaptive_) controller_->fail(step.length);
   piece_ = adaptive_ ? piece_ : 0.5 * step.length;
@@ -278,6 +278,7 @@ bool Run::retryFailed(const PlannedStep& step, const StepResult& result) {
     }
     return true;
   }
+  if (!forceIsFinite(from_.t + 2.0 * step.length)) return false;  // compositions look beyond the step's end
   return stop({true, from_.t, -1,
                fmt::format("t = {:.6g} s: {} fails even with a step of {:.3g} s: {}", from_.t, method_.info().name,
                            step.length, result.failure)});
@@ -290,6 +291,7 @@ bool Run::retryInexact(const PlannedStep& step, const StepResult& result) {
   ++retries_;
   if (retries_ <= mostRetries && controller_->h() > shortestStep()) return true;
   if (overflow && !stop(monitor_.checkStep(from_, to_))) return false;
+  if (overflow && !forceIsFinite(from_.t + step.length)) return false;
   return stop(
       {true, from_.t, -1,
        fmt::format("t = {:.6g} s: the step falls below {:.3g} s and its error is still {:.3g} times the "
