@@ -14,9 +14,11 @@ class RunMonitor {
  public:
   /// \param explosion, duration, dimension as in SimulationOptions
   RunMonitor(const DynamicalSystem& system, double explosion, double duration, int dimension);
-  /// The same with names of the caller's for the unknowns, for systems that number them otherwise.
+  /// The same with names of the caller's for the unknowns, for systems that number them otherwise, and with the energy
+  /// [J] of what is stretched, which then counts as well: near its limit a method may carry little in its velocities.
   RunMonitor(const DynamicalSystem& system, double explosion, double duration,
-             std::function<std::string(std::size_t unknown)> name);
+             std::function<std::string(std::size_t unknown)> name,
+             std::function<double(const State&)> potentialEnergy = {});
 
   /// Checks the first state and its forces, and takes the natural scale of the kinetic energy from them.
   StopReport checkStart(const State& start);
@@ -31,6 +33,7 @@ class RunMonitor {
 
   const DynamicalSystem& system_;
   Probe kineticEnergy_;
+  std::function<double(const State&)> potentialEnergy_;
   double explosion_;
   double duration_;
   std::function<std::string(std::size_t)> name_;

@@ -10,30 +10,65 @@
 
 #include <gtest/gtest.h>
 #include <cmath>
+#include <ctime>
 #include <limits>
+#include <utility>
 
 namespace muelle::hard_cases {
 namespace {
 
 // ---------------------------------------------------------------------------------------------------------------- H16
 
-/// Largest distance of nodes 44 and 99 from their places at t = 0.5 [m].
-double clothError(const Finished& end) {
+/// Largest distance of nodes 44 and 99 from their places at t = 0.5 [m]; `prefix` of the variant's references.
+double clothError(const Finished& end, const std::string& prefix = "t0.5.") {
   double largest = 0.0;
   for (const int node : {44, 99}) {
     const std::string n = std::to_string(node);
-    const Vec3 place(reference("H16", "t0.5.x" + n), reference("H16", "t0.5.y" + n), reference("H16", "t0.5.z" + n));
+    const Vec3 place(reference("H16", prefix + "x" + n), reference("H16", prefix + "y" + n),
+                     reference("H16", prefix + "z" + n));
     largest = std::max(largest, (end.x(node) - place).norm());
   }
   return largest;
 }
 
+// Bars: what another program measured (2.8e-5, 2.8e-4) where its steps are ours, else what the tolerance leaves: 1e-10,
+// times the sensitivity of 0.1 to 2 of half a second, summed over 500 steps of random sign.
 TEST(H16StiffCloth, ExplicitMethodsConvergeToTheTrueMotion) {
-  EXPECT_LT(clothError(run(cloth(), "velocity_verlet", fixedStep(1.0 / 2000, 0.5))), 5e-5);
-  EXPECT_LT(clothError(run(cloth(), "dormand_prince_5", withTolerance(1e-2, 0.5))), 1e-2);
+  EXPECT_NEAR(clothError(run(cloth(), "velocity_verlet", fixedStep(1.0 / 2000, 0.5))), 2.83e-5, 2e-7);
+  const double half = clothError(run(cloth(), "velocity_verlet", fixedStep(1.0 / 4000, 0.5)));
+  EXPECT_NEAR(half, 2.83e-5 / 4.0, 2e-7) << "second order";
+  EXPECT_LT(clothError(run(cloth(), "dormand_prince_5", withTolerance(1e-2, 0.5))), 1e-3);
   const Finished fine = run(cloth(), "dop853", withTolerance(1e-10, 0.5));
-  EXPECT_LT(clothError(fine), 1e-8);
-  EXPECT_NEAR(fine.energy(), reference("H16", "t0.5.E"), 1e-9);
+  EXPECT_LT(clothError(fine), 1e-11);
+  EXPECT_NEAR(fine.energy(), reference("H16", "t0.5.E"), 1e-12);
+}
+
+// The references of the stiff variants are another program's; two programs and two integrators agree.
+TEST(H16StiffCloth, StiffReferencesAreMetByAnAccurateMethod) {
+  EXPECT_LT(clothError(run(cloth(1e4), "dop853", withTolerance(1e-10, 0.5)), "k=1e4.t0.5."), 1e-11);
+  if (!longRuns()) return;
+  EXPECT_LT(clothError(run(cloth(1e5), "dop853", withTolerance(1e-10, 0.5)), "k=1e5.t0.5."), 1e-10);
+  EXPECT_LT(clothError(run(cloth(1e6), "dop853", withTolerance(1e-10, 0.5)), "k=1e6.t0.5."), 1e-8);
+}
+
+// The case's bar of what one sees, 1e-2 m, in no more time than the motion takes: processor time, which other programs
+// on the machine do not stretch, of the better of two runs. BDF2 at 1/240 s needs no smaller step for stiffer threads;
+// its loss of energy is told apart from a cloth that does not move: that would be 0.9 m off.
+TEST(H16StiffCloth, StiffVariantsAreRightToTheEyeInRealTime) {
+  const std::pair<double, const char*> variants[] = {
+      {1e3, "t0.5."}, {1e4, "k=1e4.t0.5."}, {1e5, "k=1e5.t0.5."}, {1e6, "k=1e6.t0.5."}};
+  for (const auto& [k, prefix] : variants) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int again = 0; again < 2 && least > 0.25; ++again) {
+      const std::clock_t begun = std::clock();
+      const Finished end = run(cloth(k), "bdf2", fixedStep(1.0 / 240, 0.5));
+      least = std::min(least, static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC);
+      ASSERT_FALSE(end.result.failed()) << k;
+      EXPECT_LT(clothError(end, prefix), 1e-2) << k;
+      EXPECT_LT(std::abs(end.energy()), 3e-3) << k << ": of the 0.4 J that the fall turns over, under 1 % is lost";
+    }
+    EXPECT_LT(least, 0.5) << k << " N/m: processor time [s] for half a second of cloth";
+  }
 }
 
 TEST(H16StiffCloth, ConvergedBackwardEulerHitsItsDiscreteValues) {
@@ -207,11 +242,15 @@ TEST(H24BadInputs, NumbersThatAreNotFiniteStopTheRunByName) {
   model.externalForces = {
       {.nodes = {1}, .force = [](double t, int) -> Vec3 { return Vec3(t > 0.5 ? nan : 0.0, 0, 0); }, .times = {}}};
   for (const std::string& id : engine::methodIds()) {
-    if (engine::methodInfo(id).adaptive) continue;
-    const Finished end = run(model, id, fixedStep(0.01, 1.0));
+    const bool adaptive = engine::methodInfo(id).adaptive;
+    engine::RunOptions options = adaptive ? withTolerance(1e-6, 1.0) : fixedStep(0.01, 1.0);
+    options.largestStep = 0.01;
+    const Finished end = run(model, id, options);
     ASSERT_TRUE(end.result.failed()) << id;
-    EXPECT_NEAR(end.result.trajectory.stop.t, 0.5, 0.0201) << id;
-    EXPECT_FALSE(end.result.trajectory.stop.message.empty()) << id;
+    const StopReport& stop = end.result.trajectory.stop;
+    EXPECT_NEAR(stop.t, 0.5, 0.0101) << id << ": within one step";
+    EXPECT_NE(stop.message.find("t = "), std::string::npos) << id << ": " << stop.message;
+    EXPECT_NE(stop.message.find("node 1"), std::string::npos) << id << ": " << stop.message;
     for (const double x : end.result.last.x) EXPECT_TRUE(std::isfinite(x)) << id;
   }
 }

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -36,6 +37,13 @@ std::vector<double> declaredTimes(const System& system, double from, double to) 
   return times;
 }
 
+/// The energy of all that has one, for the monitor; empty when the system has none.
+std::function<double(const State&)> potentialEnergyOf(const System& system) {
+  const Potential* potential = system.potential();
+  if (potential == nullptr) return {};
+  return [potential](const State& state) { return potential->energy(state.t, state.x, state.z); };
+}
+
 /// One run: plans each step, takes it, looks at what came out, and goes on from there.
 class Run {
  public:
@@ -53,7 +61,7 @@ class Run {
   void cutAtObstacles(PlannedStep& step);
   StepResult locateEvent(PlannedStep& step);
   bool take(PlannedStep& step);
-  bool forceIsFinite();
+  bool forceIsFinite(double t);
   bool retryFailed(const PlannedStep& step, const StepResult& result);
   bool retryInexact(const PlannedStep& step, const StepResult& result);
   void shorten(PlannedStep& step, double length) const;
@@ -116,8 +124,10 @@ Run::Run(const System& system, Method& method, State start, const RunOptions& op
       grid_(start_, options.h),
       stepper_(system, method, options.compensated, from_.x.size()),
       recorder_(options, start_),
-      monitor_(system, options.explosion, options.duration,
-               [&system](std::size_t unknown) { return system.unknownName(static_cast<int>(unknown)); }) {
+      monitor_(
+          system, options.explosion, options.duration,
+          [&system](std::size_t unknown) { return system.unknownName(static_cast<int>(unknown)); },
+          potentialEnergyOf(system)) {
   if (from_.z.empty()) from_.z.assign(static_cast<std::size_t>(system.internalSize()), 0.0);
   if (!frozen_) return;
   locator_.emplace(system, method, stepper_);
@@ -277,21 +287,21 @@ bool Run::take(PlannedStep& step) {
   }
 }
 
-/// Looks for the cause of a failed step: the force at its begin.
-bool Run::forceIsFinite() {
+/// Looks for the cause of a failed step: the force at its begin, or at another time from there.
+bool Run::forceIsFinite(double t) {
   std::vector<double> force(from_.x.size());
-  system_.force(from_.t, from_.x, from_.v, from_.z, force);
+  system_.force(t, from_.x, from_.v, from_.z, force);
   for (std::size_t i = 0; i < force.size(); ++i) {
     if (std::isfinite(force[i])) continue;
     const int unknown = static_cast<int>(i);
-    return stop({true, from_.t, unknown,
-                 fmt::format("t = {:.6g} s, {}: the force is not finite", from_.t, system_.unknownName(unknown))});
+    return stop(
+        {true, t, unknown, fmt::format("t = {:.6g} s, {}: the force is not finite", t, system_.unknownName(unknown))});
   }
   return true;
 }
 
 bool Run::retryFailed(const PlannedStep& step, const StepResult& result) {
-  if (!forceIsFinite()) return false;
+  if (!forceIsFinite(from_.t)) return false;
   ++result_.work.rejectedSteps;
   if (adaptive_) controller_->fail(step.length);
   piece_ = adaptive_ ? piece_ : 0.5 * step.length;
@@ -302,6 +312,7 @@ bool Run::retryFailed(const PlannedStep& step, const StepResult& result) {
     }
     return true;
   }
+  if (!forceIsFinite(from_.t + 2.0 * step.length)) return false;  // compositions look beyond the step's end
   return stop({true, from_.t, -1,
                fmt::format("t = {:.6g} s: {} fails even with a step of {:.3g} s: {}", from_.t, method_.info().name,
                            step.length, result.failure)});
@@ -314,6 +325,7 @@ bool Run::retryInexact(const PlannedStep& step, const StepResult& result) {
   ++retries_;
   if (retries_ <= mostRetries && controller_->h() > shortestStep()) return true;
   if (overflow && !stop(monitor_.checkStep(from_, to_))) return false;
+  if (overflow && !forceIsFinite(from_.t + step.length)) return false;
   return stop({true, from_.t, -1,
                fmt::format("t = {:.6g} s: the step falls below {:.3g} s and its error is still {:.3g} times the "
                            "tolerance; look for a force that jumps, or ask for less than {:.1g} of the motion",

@@ -35,7 +35,7 @@ struct RunOptions {
   /// What the recorded states may take [byte]. Beyond it every second one is dropped, again and again, and a warning
   /// says so; the first and the last stay.
   double mostMemory = 512.0 * 1024.0 * 1024.0;
-  double explosion = 1e6;  ///< stop when the kinetic energy exceeds this multiple of its natural scale
+  double explosion = 1e5;  ///< stop when the energy exceeds this multiple of its natural scale
   std::string label = {};  ///< of the progress bar; empty: none
 };
 

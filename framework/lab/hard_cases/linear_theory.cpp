@@ -1,20 +1,29 @@
 #include "lab/hard_cases/linear_theory.h"
 
+#include "engine/analysis/test_oscillator.h"
+#include "engine/integrators/catalogue.h"
 #include "engine/solve/dense.h"
+#include "lab/hard_cases/running.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <Eigen/LU>
 #include <functional>
 #include <limits>
 #include <span>
+#include <stdexcept>
 
 namespace muelle::hard_cases {
 
 namespace {
 
-using Matrix = Eigen::Matrix2d;
-using Eigen::Vector2d;
+/// The power of a step's matrix to 1e5 steps would lose five of a double's digits.
+using Real = long double;
+using Matrix = Eigen::Matrix<Real, 2, 2>;
+using Vector = Eigen::Matrix<Real, 2, 1>;
+using Pair = Eigen::Matrix<Real, 4, 4>;  ///< of two states, one after the other
 
 /// (x, v)' = L (x, v).
 Matrix generator(const Mode& m) {
@@ -32,64 +41,64 @@ Matrix series(const Matrix& Z, int order) {
 
 /// exp(Z) by scaling and squaring.
 Matrix exponential(const Matrix& Z) {
-  const int halvings = std::max(0, static_cast<int>(std::ceil(std::log2(Z.cwiseAbs().maxCoeff() + 1e-300))) + 4);
-  Matrix result = series(Z * std::ldexp(1.0, -halvings), 14);
+  const int halvings = std::max(0, static_cast<int>(std::ceil(std::log2(Z.cwiseAbs().maxCoeff() + 1e-300L))) + 4);
+  Matrix result = series(Z * std::ldexp(Real(1), -halvings), 17);
   for (int i = 0; i < halvings; ++i) result = result * result;
   return result;
 }
 
 /// The matrix of a linear map, column by column.
-Matrix matrixOf(const std::function<Vector2d(Vector2d)>& map) {
+Matrix matrixOf(const std::function<Vector(Vector)>& map) {
   Matrix result;
-  result << map(Vector2d(1, 0)), map(Vector2d(0, 1));
+  result << map(Vector(1, 0)), map(Vector(0, 1));
   return result;
 }
 
 /// Velocity Verlet with the drag exact and the damping at the predicted velocity; h may be negative.
-Matrix verlet(const Mode& m, double h) {
-  const double c = h * m.drag;
-  const double decay = std::exp(-c);
-  const double phi1 = std::abs(c) < 1e-8 ? 1.0 - 0.5 * c : -std::expm1(-c) / c;
-  const double phi2 = std::abs(c) < 1e-4 ? 0.5 - c / 6.0 + c * c / 24.0 : (1.0 - phi1) / c;
-  return matrixOf([=](Vector2d y) -> Vector2d {
-    const double a0 = -m.stiffness * y[0] - m.damping * y[1];
-    const double x = y[0] + h * phi1 * y[1] + h * h * phi2 * a0;
-    const double predicted = decay * y[1] + h * phi1 * a0;
-    const double a1 = -m.stiffness * x - m.damping * predicted;
+Matrix verlet(const Mode& m, Real h) {
+  const Real c = h * m.drag;
+  const Real decay = std::exp(-c);
+  const Real phi1 = std::abs(c) < 1e-8L ? 1 - c / 2 : -std::expm1(-c) / c;
+  const Real phi2 = std::abs(c) < 1e-4L ? Real(1) / 2 - c / 6 + c * c / 24 : (1 - phi1) / c;
+  return matrixOf([=](Vector y) -> Vector {
+    const Real a0 = -m.stiffness * y[0] - m.damping * y[1];
+    const Real x = y[0] + h * phi1 * y[1] + h * h * phi2 * a0;
+    const Real predicted = decay * y[1] + h * phi1 * a0;
+    const Real a1 = -m.stiffness * x - m.damping * predicted;
     return {x, decay * y[1] + h * ((phi1 - phi2) * a0 + phi2 * a1)};
   });
 }
 
-Matrix symplecticEuler(const Mode& m, double h) {
-  return matrixOf([=](Vector2d y) -> Vector2d {
-    const double v = y[1] + h * (-m.stiffness * y[0] - (m.damping + m.drag) * y[1]);
+Matrix symplecticEuler(const Mode& m, Real h) {
+  return matrixOf([=](Vector y) -> Vector {
+    const Real v = y[1] + h * (-m.stiffness * y[0] - (m.damping + m.drag) * y[1]);
     return {y[0] + h * v, v};
   });
 }
 
-Matrix composed(const Mode& m, double h, std::span<const double> fractions) {
+Matrix composed(const Mode& m, Real h, std::span<const Real> fractions) {
   Matrix result = Matrix::Identity();
-  for (const double fraction : fractions) result = verlet(m, fraction * h) * result;
+  for (const Real fraction : fractions) result = verlet(m, fraction * h) * result;
   return result;
 }
 
-Matrix yoshida4(const Mode& m, double h) {
-  const double w = 1.0 / (2.0 - std::cbrt(2.0));
-  return composed(m, h, std::array{w, 1.0 - 2.0 * w, w});
+Matrix yoshida4(const Mode& m, Real h) {
+  const Real w = 1 / (2 - std::cbrt(Real(2)));
+  return composed(m, h, std::array{w, 1 - 2 * w, w});
 }
 
 /// Kahan and Li 1997, order 8 with 17 stages.
-Matrix kahanLi8(const Mode& m, double h) {
-  constexpr double g[] = {0.13020248308889008088, 0.56116298177510838456,  -0.38947496264484728641,
-                          0.15884190655515560090, -0.39590389413323757734, 0.18453964097831570709,
-                          0.25837438768632204729, 0.29501172360931029887,  -0.60550853383003451170};
-  std::array<double, 17> all;
+Matrix kahanLi8(const Mode& m, Real h) {
+  constexpr Real g[] = {0.13020248308889008088L, 0.56116298177510838456L,  -0.38947496264484728641L,
+                        0.15884190655515560090L, -0.39590389413323757734L, 0.18453964097831570709L,
+                        0.25837438768632204729L, 0.29501172360931029887L,  -0.60550853383003451170L};
+  std::array<Real, 17> all;
   for (std::size_t j = 0; j < 17; ++j) all[j] = g[j < 9 ? j : 16 - j];
   return composed(m, h, all);
 }
 
 Matrix backwardEuler(const Matrix& Z) { return (Matrix::Identity() - Z).inverse(); }
-Matrix midpoint(const Matrix& Z) { return (Matrix::Identity() - 0.5 * Z).inverse() * (Matrix::Identity() + 0.5 * Z); }
+Matrix midpoint(const Matrix& Z) { return (Matrix::Identity() - Z / 2).inverse() * (Matrix::Identity() + Z / 2); }
 
 template <class Square>
 Square power(Square base, long long n) {
@@ -101,27 +110,43 @@ Square power(Square base, long long n) {
   return result;
 }
 
-double growthOf(const Eigen::MatrixXd& M) {
+/// The eigenvalue of the largest magnitude, the one of positive angle of a pair; infinite when the matrix is not
+/// finite.
+template <class Square>
+std::complex<double> leadingEigenvalue(const Square& M) {
   if (!M.allFinite()) return std::numeric_limits<double>::infinity();
-  return engine::spectralRadius(M);
+  const engine::Eigenpairs pairs = engine::eigenpairs(M.template cast<double>());
+  std::complex<double> leading = 0.0;
+  for (const std::complex<double>& value : pairs.values) {
+    if (std::abs(value) > std::abs(leading)) leading = value;
+  }
+  return {leading.real(), std::abs(leading.imag())};
 }
 
 /// BDF2 on (y_n, y_{n-1}), the first step by Alexander's SDIRK of two stages.
 struct TwoStep {
-  Eigen::Matrix4d step;
+  Pair step;
   Matrix first;
 };
 TwoStep bdf2(const Matrix& Z) {
-  const Matrix I = Matrix::Identity(), solve = (I - 2.0 / 3.0 * Z).inverse();
+  const Matrix I = Matrix::Identity(), solve = (I - Z * 2 / 3).inverse();
   TwoStep result;
-  result.step << 4.0 / 3.0 * solve, -1.0 / 3.0 * solve, I, Matrix::Zero();
-  const double gamma = 1.0 - std::sqrt(0.5);
+  result.step << solve * 4 / 3, -solve / 3, I, Matrix::Zero();
+  const Real gamma = 1 - std::sqrt(Real(0.5));
   const Matrix stage = (I - gamma * Z).inverse();
-  result.first = stage * (I + (1.0 - gamma) * Z * stage);
+  result.first = stage * (I + (1 - gamma) * Z * stage);
   return result;
 }
 
-std::optional<Matrix> stepMatrix(const std::string& id, const Mode& m, double h) {
+/// The trapezoidal rule to gamma h, then BDF2 to h, gamma = 2 - sqrt(2): one matrix for both.
+Matrix trBdf2(const Matrix& Z) {
+  const Matrix I = Matrix::Identity();
+  const Real gamma = 2 - std::sqrt(Real(2)), c = 1 / (gamma * (2 - gamma));
+  const Matrix solve = (I - gamma / 2 * Z).inverse(), middle = solve * (I + gamma / 2 * Z);
+  return solve * (c * middle - c * (1 - gamma) * (1 - gamma) * I);
+}
+
+std::optional<Matrix> stepMatrix(const std::string& id, const Mode& m, Real h) {
   const Matrix Z = h * generator(m);
   if (id == "explicit_euler") return series(Z, 1);
   if (id == "explicit_midpoint") return series(Z, 2);
@@ -134,48 +159,121 @@ std::optional<Matrix> stepMatrix(const std::string& id, const Mode& m, double h)
     return backwardEuler(Z);
   }
   if (id == "newmark" || id == "implicit_midpoint" || id == "discrete_gradient") return midpoint(Z);
-  if (id == "xpbd") return power(backwardEuler(Z / 20.0), 20);  // its substeps
+  if (id == "tr_bdf2") return trBdf2(Z);
+  if (id == "xpbd") return power(backwardEuler(Z / 20), 20);  // its substeps
   return std::nullopt;
 }
 
 /// Distance in the mode's plane [m]: velocities over omega.
-double sizeOf(const Mode& mode, const Vector2d& y) {
-  return std::hypot(y[0], y[1] / std::sqrt(std::max(std::abs(mode.stiffness), 1e-300)));
+double sizeOf(const Mode& mode, const Vector& y) {
+  const double omega = std::sqrt(std::max(std::abs(mode.stiffness), 1e-300));
+  return static_cast<double>(std::hypot(y[0], y[1] / omega));
 }
+
+Vector startOf(const Mode& mode) { return {mode.amplitude, mode.speed}; }
+double durationOf(const Mode& mode, double run) { return mode.duration > 0.0 ? mode.duration : run; }
+
+/// What the numbers at the end say.
+ModeForecast compared(const Mode& mode, const Vector& end, const Vector& exact) {
+  ModeForecast result;
+  const Vector off = end - exact;
+  result.error = std::abs(mode.stiffness) > 0.0 ? sizeOf(mode, off) : static_cast<double>(std::abs(off[0]));
+  result.position = static_cast<double>(off[0]);
+  result.size = sizeOf(mode, end);
+  result.exactSize = sizeOf(mode, exact);
+  if (!std::isfinite(result.error)) {
+    result.error = result.position = result.size = std::numeric_limits<double>::infinity();
+  }
+  return result;
+}
+
+/// Damped frequency [1/s]; 0 where nothing oscillates.
+double frequencyOf(const Mode& mode) {
+  const double half = 0.5 * (mode.damping + mode.drag);
+  return std::sqrt(std::max(0.0, mode.stiffness - half * half));
+}
+
+/// Errors of amplitude and phase from a step's leading eigenvalue: the ends alone would count what comes and goes.
+void inTheLongRun(ModeForecast& result, const Mode& mode, std::complex<double> eigenvalue, double T) {
+  const double omega = frequencyOf(mode), h = T / result.steps;
+  result.growth = std::abs(eigenvalue);
+  if (omega == 0.0 || eigenvalue.imag() == 0.0) return;
+  const double decay = 0.5 * (mode.damping + mode.drag);
+  result.amplitude = std::expm1(result.steps * (std::log(result.growth) + decay * h));
+  result.phase = result.steps * (std::arg(eigenvalue) - omega * h);
+}
+
+/// The start of a mode whose ringing is over at once: where the fast part has carried it, on the slow way home.
+Vector onTheSlowWay(const Mode& mode) {
+  const double d = mode.damping + mode.drag;
+  const double x = mode.amplitude + mode.speed / d;
+  return {x, -mode.stiffness / d * x};
+}
+
+/// Whether a step turns the fast part round.
+bool overshoots(const Matrix& step) { return step.trace() < 0 || step.determinant() < 0; }
 
 }  // namespace
 
 double exactSize(const Mode& mode, double duration) {
-  const double T = mode.duration > 0.0 ? mode.duration : duration;
-  return sizeOf(mode, exponential(T * generator(mode)) * Vector2d(mode.amplitude, mode.speed));
+  return sizeOf(mode, exponential(durationOf(mode, duration) * generator(mode)) * startOf(mode));
 }
 
 std::optional<ModeForecast> forecast(const engine::MethodInfo& method, const Mode& mode, double h, double duration) {
-  const double T = mode.duration > 0.0 ? mode.duration : duration;
-  const auto steps = static_cast<long long>(std::ceil(T / h - 1e-9));
-  h = T / static_cast<double>(steps);  // the last step is cut
-  const Vector2d start(mode.amplitude, mode.speed);
-  Vector2d end;
-  ModeForecast result;
+  const double T = durationOf(mode, duration);
+  const auto steps = std::max<long long>(mode.leastSteps, static_cast<long long>(std::ceil(T / h - 1e-9)));
+  const Real length = Real(T) / static_cast<Real>(steps);  // the last step is cut
+  Vector start = startOf(mode), exact = exponential(T * generator(mode)) * start, end;
+  std::complex<double> eigenvalue;
   if (method.id == "bdf2") {
-    const TwoStep two = bdf2(h * generator(mode));
-    Eigen::Vector4d pair;
+    const TwoStep two = bdf2(length * generator(mode));
+    Eigen::Matrix<Real, 4, 1> pair;
     pair << two.first * start, start;
     end = (power(two.step, steps - 1) * pair).head<2>();
-    result.growth = growthOf(two.step);
+    eigenvalue = leadingEigenvalue(two.step);
   } else {
-    const std::optional<Matrix> step = stepMatrix(method.id, mode, h);
+    const std::optional<Matrix> step = stepMatrix(method.id, mode, length);
     if (!step) return std::nullopt;
+    if (mode.cannotPull && overshoots(*step)) start = onTheSlowWay(mode);
     end = power(*step, steps) * start;
-    result.growth = growthOf(*step);
+    eigenvalue = leadingEigenvalue(*step);
   }
-  const Vector2d exact = exponential(T * generator(mode)) * start;
-  result.error = std::abs(mode.stiffness) > 0.0 ? sizeOf(mode, end - exact) : std::abs(end[0] - exact[0]);
-  result.size = sizeOf(mode, end);
-  result.sizeError = std::abs(result.size - sizeOf(mode, exact));
-  if (!std::isfinite(result.error))
-    result.error = result.size = result.sizeError = std::numeric_limits<double>::infinity();
+  ModeForecast result = compared(mode, end, exact);
+  result.steps = static_cast<double>(steps);
+  inTheLongRun(result, mode, eigenvalue, T);
   return result;
+}
+
+std::optional<ModeForecast> measuredForecast(const engine::MethodInfo& method, const Mode& mode, const ModeRun& run) {
+  engine::TestOscillator oscillator;
+  oscillator.stiffness = mode.stiffness;
+  oscillator.damping = mode.damping;
+  oscillator.drag1 = mode.drag;
+  const double T = durationOf(mode, run.duration);
+  engine::RunOptions options = run.h > 0.0 ? fixedStep(run.h, T) : withTolerance(run.tolerance, T);
+  options.largestStep = mode.leastSteps > 0 ? std::min(run.largestStep, T / mode.leastSteps) : run.largestStep;
+  options.mostForceEvaluations = run.budget;
+  const State start{0.0, {mode.amplitude}, {mode.speed}, {}};
+  engine::RunResult result;
+  try {
+    result = engine::simulate(oscillator, *engine::makeMethod(method.id), start, options);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+  const Vector end(result.last.x[0], result.last.v[0]), exact = exponential(T * generator(mode)) * startOf(mode);
+  ModeForecast found = compared(mode, end, exact);
+  found.steps = static_cast<double>(result.work.steps);
+  found.evaluations = static_cast<double>(result.work.forceEvaluations);
+  if (result.failed()) {
+    found.growth = found.error = found.size = std::numeric_limits<double>::infinity();
+  } else if (const double omega = frequencyOf(mode); omega > 0.0 && found.exactSize > 0.0) {
+    const double w = std::sqrt(mode.stiffness);
+    const Real turned =
+        std::atan2(end[0] * exact[1] / w - exact[0] * end[1] / w, end[0] * exact[0] + end[1] * exact[1] / (w * w));
+    found.amplitude = found.size / found.exactSize - 1.0;
+    found.phase = static_cast<double>(turned);
+  }
+  return found;
 }
 
 }  // namespace muelle::hard_cases

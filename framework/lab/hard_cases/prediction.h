@@ -12,7 +12,7 @@ enum class Expectation { Passes, Fails, NotApplicable };
 struct Prediction {
   Expectation expectation = Expectation::Passes;
   int rule = 0;        ///< index into predictionRules()
-  double error = 0.0;  ///< foreseen, in the variant's measure; infinite when the motion grows without bound
+  double error = 0.0;  ///< foreseen, in the variant's measure; 0: nothing but rounding; infinite: grows without bound
   std::string text;    ///< one line with the numbers: "h omega = 16.7 beyond its limit of 2"
 };
 
@@ -23,10 +23,11 @@ struct PredictionRule {
 };
 const std::vector<PredictionRule>& predictionRules();
 
-/// Most force evaluations that a cell may spend (ten times as many with --long).
+/// Most force evaluations that a cell may spend; ten times as many with a fixed step, whose number is known.
 inline constexpr long long cellBudget = 3'000'000;
 
-/// Predicts from the method's MethodInfo, the case's facts and the system's capabilities; nothing is run.
+/// Predicts from the method's MethodInfo, the case's facts (see completeFacts()) and the system's capabilities. Never
+/// runs the method on the case: at most on a single mode of it.
 Prediction predict(const engine::MethodInfo& method, const Variant& variant, const engine::System& system,
                    double duration, long long budget);
 

@@ -20,6 +20,8 @@ void circle(std::vector<Derived>& all) {
   all.push_back({"H06", "vx(10)", -quad("3.27") * sinq(angle)});
   all.push_back({"H06", "vy(10)", quad("3.27") * cosq(angle)});
   all.push_back({"H06", "Lz", r * quad("3.27")});
+  const Quad speed = quad("3.27"), z = quad("-0.613125"), stretch = sqrtq(r * r + z * z) - quad("0.858375");
+  all.push_back({"H06", "E", speed * speed / 2 + earth * z + 50 * stretch * stretch});
 }
 
 /// Angular frequency of mode j of the chain of 50 with stiffness c between neighbours of mass 1.
@@ -36,8 +38,39 @@ void chain(std::vector<Derived>& all) {
                     sinq(50 * i * pi / 51) * cosq(10 * chainFrequency(along, 50))) /
                    100;
     all.push_back({"H10", "longitudinal.u" + std::to_string(i) + "(10)", u});
-    const Quad z = sinq(i * pi / 51) * cosq(10 * chainFrequency(across, 1)) / 1000000;
-    all.push_back({"H10", "transverse.z" + std::to_string(i) + "(10)", z});
+    const Quad omega = chainFrequency(across, 1), shape = sinq(i * pi / 51) / 1000000;
+    all.push_back({"H10", "transverse.z" + std::to_string(i) + "(10)", shape * cosq(10 * omega)});
+    all.push_back({"H10", "transverse.vz" + std::to_string(i) + "(10)", -shape * omega * sinq(10 * omega)});
+  }
+}
+
+/// The wave across the chain with nothing neglected: 50 nodes in the plane, x from the place in the line and z, both in
+/// micrometres, so that the integrator's tolerance is one of the wave.
+void chainWithoutLinearisation(std::vector<Derived>& all, Quad tolerance) {
+  constexpr std::size_t n = 50;
+  const Quad micro = quad("1e-6"), spacing = quad("1.1");
+  // y = x_1 .. x_50, z_1 .. z_50, then their velocities.
+  const Slope slope = [&](Quad, const QuadVector& y, QuadVector& f) {
+    for (std::size_t i = 0; i < 2 * n; ++i) f[i] = y[2 * n + i];
+    for (std::size_t i = 2 * n; i < 4 * n; ++i) f[i] = 0;
+    for (std::size_t j = 0; j <= n;
+         ++j) {  // spring j holds nodes j - 1 and j, of which the first and the last are fixed
+      const Quad dx = spacing + micro * ((j < n ? y[j] : 0) - (j > 0 ? y[j - 1] : 0));
+      const Quad dz = micro * ((j < n ? y[n + j] : 0) - (j > 0 ? y[n + j - 1] : 0));
+      const Quad pull = 100 * (1 - 1 / sqrtq(dx * dx + dz * dz)) / micro;  // 1/micro: forces in the units of y
+      // The line's own tension cancels at every node; without it nothing is lost to cancellation.
+      const Quad fx = pull * dx - 10 / micro, fz = pull * dz;
+      if (j < n) f[2 * n + j] -= fx, f[3 * n + j] -= fz;
+      if (j > 0) f[2 * n + j - 1] += fx, f[3 * n + j - 1] += fz;
+    }
+  };
+  QuadVector y(4 * n, 0);
+  for (std::size_t i = 0; i < n; ++i) y[n + i] = sinq(static_cast<int>(i + 1) * pi / 51);
+  y = integrate(slope, y, 0, 10, tolerance);
+  for (const std::size_t i : {1U, 13U, 25U, 50U}) {
+    const std::string node = std::to_string(i) + "(10)";
+    all.push_back({"H10", "transverse.nonlinear.z" + node, micro * y[n + i - 1]});
+    all.push_back({"H10", "transverse.nonlinear.vz" + node, micro * y[3 * n + i - 1]});
   }
 }
 
@@ -58,6 +91,11 @@ void heavyBelowLightInOneDimension(std::vector<Derived>& all) {
   const Quad cSlow = aSlow * cosq(sqrtq(slow)), cFast = aFast * cosq(sqrtq(fast));
   all.push_back({"H12", "one_d.z1(1)", z1 + cSlow + cFast});
   all.push_back({"H12", "one_d.z2(1)", z2 + qSlow * cSlow + qFast * cFast});
+  all.push_back({"H12", "one_d.period", 2 * pi / sqrtq(slow)});
+  all.push_back({"H12", "one_d.period_fast", 2 * pi / sqrtq(fast)});
+  all.push_back({"H12", "one_d.E", -earth * (m1 + 2 * m2)});  // at rest lengths: gravity alone
+  const Quad upper = -1 - z1, lower = z1 - z2 - 1;
+  all.push_back({"H12", "static.E", earth * (m1 * z1 + m2 * z2) + k / 2 * (upper * upper + lower * lower)});
 }
 
 void heavyBelowLightSwings(std::vector<Derived>& all, Quad tolerance) {
@@ -77,45 +115,90 @@ void heavyBelowLightSwings(std::vector<Derived>& all, Quad tolerance) {
       integrate(slope, {quad("0.6"), quad("-0.8"), quad("1.2"), quad("-1.6"), 0, 0, 0, 0}, 0, 1, tolerance);
   const std::array<const char*, 8> names = {"x1", "z1", "x2", "z2", "vx1", "vz1", "vx2", "vz2"};
   for (std::size_t i = 0; i < 8; ++i) all.push_back({"H12", std::string("swing.") + names[i] + "(1)", y[i]});
+  all.push_back({"H12", "swing.E", -earth * (m1 * quad("0.8") + m2 * quad("1.6"))});
 }
 
 constexpr int halfWidthNumerator = 3, halfWidthDenominator = 4;  // w = 3/4
 
-/// Force -E'(y) of the inverted triangle's free node, mass 1.
-Quad triangleForce(Quad y, Quad ka) {
-  const Quad w = Quad(halfWidthNumerator) / halfWidthDenominator, k = 10, L0 = Quad(5) / 4;
-  const Quad L = sqrtq(w * w + y * y);
-  return -2 * k * (L - L0) * y / L - ka * w * w * (y - 1);
+const Quad restLength = Quad(5) / 4;
+
+Quad sideLength(Quad y) {
+  const Quad w = Quad(halfWidthNumerator) / halfWidthDenominator;
+  return sqrtq(w * w + y * y);
 }
 
-void invertedTriangle(std::vector<Derived>& all, Quad tolerance) {
+/// Energies of the inverted triangle's springs and of its area [J].
+Quad springEnergy(Quad y) {
+  const Quad stretch = sideLength(y) - restLength;
+  return 10 * stretch * stretch;
+}
+Quad areaEnergy(Quad y, Quad ka) {
+  const Quad w = Quad(halfWidthNumerator) / halfWidthDenominator, off = w * (y - 1);
+  return ka / 2 * off * off;
+}
+
+/// Force -E'(y) of the inverted triangle's free node, mass 1.
+Quad triangleForce(Quad y, Quad ka) {
+  const Quad w = Quad(halfWidthNumerator) / halfWidthDenominator, L = sideLength(y);
+  return -20 * (L - restLength) * y / L - ka * w * w * (y - 1);
+}
+
+/// Where `value` changes its sign between `low` and `high`, by bisection to the last bit.
+template <class Function>
+Quad zeroOf(const Function& value, Quad low, Quad high) {
+  const bool lowPositive = value(low) > 0;
+  for (int i = 0; i < 120; ++i) {
+    const Quad middle = (low + high) / 2;
+    ((value(middle) > 0) == lowPositive ? low : high) = middle;
+  }
+  return low;
+}
+
+/// The state at a time, and into what its energy is divided.
+void triangleAt(std::vector<Derived>& all, const std::string& time, const QuadVector& y) {
+  all.push_back({"H15", "y(" + time + ")", y[0]});
+  all.push_back({"H15", "v(" + time + ")", y[1]});
+  all.push_back({"H15", "E.kinetic(" + time + ")", y[1] * y[1] / 2});
+  all.push_back({"H15", "E.springs(" + time + ")", springEnergy(y[0])});
+  all.push_back({"H15", "E.area(" + time + ")", areaEnergy(y[0], 100)});
+}
+
+void invertedTriangleMoves(std::vector<Derived>& all, Quad tolerance) {
   all.push_back({"H15", "force_t0", triangleForce(-1, 100)});
+  const Quad start = springEnergy(-1) + areaEnergy(-1, 100);
+  all.push_back({"H15", "E", start});
   const Slope slope = [](Quad, const QuadVector& y, QuadVector& f) {
     f[0] = y[1];
     f[1] = triangleForce(y[0], 100);
   };
-  QuadVector y = integrate(slope, {-1, 0}, 0, Quad(1) / 2, tolerance);
-  all.push_back({"H15", "y(0.5)", y[0]});
-  all.push_back({"H15", "v(0.5)", y[1]});
-  y = integrate(slope, y, Quad(1) / 2, 1, tolerance);
-  all.push_back({"H15", "y(1)", y[0]});
-  all.push_back({"H15", "v(1)", y[1]});
+  QuadVector y = {-1, 0};
+  Quad from = 0;
+  for (const char* time : {"0.1", "0.5", "1"}) {
+    y = integrate(slope, y, from, quad(time), tolerance);
+    from = quad(time);
+    triangleAt(all, time, y);
+  }
+  // The other end of the swing, where all the energy is potential again.
+  all.push_back(
+      {"H15", "y_top", zeroOf([&](Quad at) { return springEnergy(at) + areaEnergy(at, 100) - start; }, 1, 4)});
+}
+
+void invertedTriangleRests(std::vector<Derived>& all) {
   // ka(y) = 2 k s(y) / (w^2 (1 - y)), s = y (1 - L0/L), s' = 1 - L0/L + L0 y^2/L^3; extremal where
   // s' (1 - y) + s = 0, between the flat state y = 0 and the relaxed inverted one y = -1.
-  const Quad w = Quad(3) / 4, k = 10, L0 = Quad(5) / 4;
-  const auto s = [&](Quad at) { return at * (1 - L0 / sqrtq(w * w + at * at)); };
+  const Quad w = Quad(halfWidthNumerator) / halfWidthDenominator;
+  const auto s = [](Quad at) { return at * (1 - restLength / sideLength(at)); };
   const auto slopeOfKa = [&](Quad at) {
-    const Quad L = sqrtq(w * w + at * at);
-    return (1 - L0 / L + L0 * at * at / (L * L * L)) * (1 - at) + s(at);
+    const Quad L = sideLength(at);
+    return (1 - restLength / L + restLength * at * at / (L * L * L)) * (1 - at) + s(at);
   };
-  Quad low = -1, high = quad("-0.01");
-  const bool lowPositive = slopeOfKa(low) > 0;
-  for (int i = 0; i < 120; ++i) {
-    const Quad middle = (low + high) / 2;
-    ((slopeOfKa(middle) > 0) == lowPositive ? low : high) = middle;
-  }
-  all.push_back({"H15", "y_critical", low});
-  all.push_back({"H15", "ka_critical", 2 * k * s(low) / (w * w * (1 - low))});
+  const Quad y = zeroOf(slopeOfKa, -1, quad("-0.01")), ka = 20 * s(y) / (w * w * (1 - y));
+  all.push_back({"H15", "y_critical", y});
+  all.push_back({"H15", "ka_critical", ka});
+  all.push_back({"H15", "E_critical", springEnergy(y) + areaEnergy(y, ka)});
+  const Quad inverted = zeroOf([](Quad at) { return triangleForce(at, 4); }, -1, y);
+  all.push_back({"H15", "y_inverted(ka=4)", inverted});
+  all.push_back({"H15", "E_inverted(ka=4)", springEnergy(inverted) + areaEnergy(inverted, 4)});
 }
 
 void friction(std::vector<Derived>& all) {
@@ -123,8 +206,11 @@ void friction(std::vector<Derived>& all) {
   for (const char* degrees : {"26.5", "26.6", "30"}) {
     const Quad angle = quad(degrees) * pi / 180;
     const Quad a = fmaxq(Quad(0), earth * (sinq(angle) - mu * cosq(angle)));
+    all.push_back({"H20", std::string("acceleration(") + degrees + ")", a});
     all.push_back({"H20", std::string("slide(") + degrees + ")", 50 * a});
   }
+  all.push_back({"H20", "threshold_degrees", atanq(mu) * 180 / pi});
+  all.push_back({"H20", "flat.acceleration", -mu * earth});
   all.push_back({"H20", "flat.t_stop", 3 / (mu * earth)});
   all.push_back({"H20", "flat.distance", Quad(9) / (2 * mu * earth)});
 }
@@ -141,9 +227,11 @@ std::vector<Derived> derivedReferences(Quad tolerance) {
   std::vector<Derived> all;
   circle(all);
   chain(all);
+  chainWithoutLinearisation(all, tolerance);
   heavyBelowLightInOneDimension(all);
   heavyBelowLightSwings(all, tolerance);
-  invertedTriangle(all, tolerance);
+  invertedTriangleMoves(all, tolerance);
+  invertedTriangleRests(all);
   friction(all);
   pulse(all);
   return all;

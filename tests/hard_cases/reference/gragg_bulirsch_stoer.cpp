@@ -1,7 +1,10 @@
 #include "reference/gragg_bulirsch_stoer.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace muelle::hard_cases {
 
@@ -9,27 +12,39 @@ namespace {
 
 constexpr std::size_t columns = 12;
 
-Quad largestDifference(const QuadVector& a, const QuadVector& b) {
-  Quad largest = 0;
+Quad powerOf(Quad base, Quad exponent) { return powq(base, exponent); }
+long double powerOf(long double base, long double exponent) { return std::pow(base, exponent); }
+
+template <class Real>
+Real magnitude(Real value) {
+  return value < 0 ? -value : value;
+}
+
+template <class Real>
+Real largestDifference(const std::vector<Real>& a, const std::vector<Real>& b) {
+  Real largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const Quad size = fmaxq(Quad(1), fabsq(a[i]));
-    const Quad difference = fabsq(a[i] - b[i]) / size;
-    // A NaN must not pass for a small difference.
-    if (!(difference <= largest)) largest = difference;
+    const Real difference = magnitude(a[i] - b[i]) / std::max(Real(1), magnitude(a[i]));
+    if (!(difference == difference)) return difference;  // a NaN must not pass for a small difference
+    largest = std::max(largest, difference);
   }
   return largest;
 }
 
+template <class Real>
 class Extrapolation {
+  using Vector = std::vector<Real>;
+
  public:
-  Extrapolation(const Slope& slope, std::size_t size) : slope_(slope), start_(size), middle_(size), k_(size) {
-    for (QuadVector& row : table_) row.resize(size);
+  Extrapolation(const SlopeOf<Real>& slope, std::size_t count)
+      : slope_(slope), start_(count), middle_(count), k_(count), slopeAtStart_(count) {
+    for (Vector& row : table_) row.resize(count);
   }
 
   /// y after a step of H; returns the difference of the last two extrapolations.
-  Quad step(Quad t, const QuadVector& y, Quad H, QuadVector& end) {
-    slope_(t, y, slopeAtStart_.empty() ? (slopeAtStart_.resize(y.size()), slopeAtStart_) : slopeAtStart_);
-    Quad difference = 0;
+  Real step(Real t, const Vector& y, Real H, Vector& end) {
+    slope_(t, y, slopeAtStart_);
+    Real difference = 0;
     for (std::size_t j = 0; j < columns; ++j) {
       midpoint(t, y, H, static_cast<int>(2 * (j + 1)), end);
       difference = extrapolate(j, end);
@@ -40,8 +55,8 @@ class Extrapolation {
 
  private:
   /// Gragg's rule with n substeps: leapfrog, even n.
-  void midpoint(Quad t, const QuadVector& y, Quad H, int n, QuadVector& end) {
-    const Quad h = H / n;
+  void midpoint(Real t, const Vector& y, Real H, int n, Vector& end) {
+    const Real h = H / n;
     start_ = y;
     for (std::size_t i = 0; i < y.size(); ++i) middle_[i] = y[i] + h * slopeAtStart_[i];
     for (int m = 1; m < n; ++m) {
@@ -53,12 +68,12 @@ class Extrapolation {
   }
 
   /// Aitken and Neville in h^2. table_[i] holds the newest entry of extrapolation degree i.
-  Quad extrapolate(std::size_t j, const QuadVector& value) {
-    QuadVector lower = value;  // T(j, 0)
-    Quad difference = 0;
+  Real extrapolate(std::size_t j, const Vector& value) {
+    Vector lower = value;  // T(j, 0)
+    Real difference = 0;
     for (std::size_t degree = 0; degree < j; ++degree) {
-      const Quad ratio = Quad(j + 1) / Quad(j - degree);
-      QuadVector higher(value.size());
+      const Real ratio = Real(j + 1) / Real(j - degree);
+      Vector higher(value.size());
       for (std::size_t i = 0; i < value.size(); ++i) {
         higher[i] = lower[i] + (lower[i] - table_[degree][i]) / (ratio * ratio - 1);
       }
@@ -70,33 +85,45 @@ class Extrapolation {
     return difference;
   }
 
-  const Slope& slope_;
-  std::array<QuadVector, columns> table_;
-  QuadVector start_, middle_, k_, slopeAtStart_;
+  const SlopeOf<Real>& slope_;
+  std::array<Vector, columns> table_;
+  Vector start_, middle_, k_, slopeAtStart_;
 };
+
+template <class Real>
+std::vector<Real> drive(const SlopeOf<Real>& slope, std::vector<Real> y, Real from, Real to, Real tolerance) {
+  Extrapolation<Real> extrapolation(slope, y.size());
+  std::vector<Real> end(y.size());
+  Real t = from;
+  Real H = (to - from) / 100;
+  while (t < to) {
+    const bool last = t + H >= to;
+    const Real length = last ? to - t : H;
+    if (t + length == t) throw std::runtime_error("the reference integrator's step vanished");
+    const Real error = extrapolation.step(t, y, length, end) / tolerance;
+    const bool finite = error == error;
+    const Real least = Real(1) / 1000000 / 1000000;
+    const Real factor = Real(9) / 10 * powerOf(error > least ? error : least, -Real(1) / (2 * columns - 1));
+    if (error <= 1) {
+      t = last ? to : t + length;
+      y = end;
+      H = length * std::min(factor, Real(2));
+    } else {
+      H = length * (finite ? std::max(factor, Real(1) / 10) : Real(1) / 10);
+    }
+  }
+  return y;
+}
 
 }  // namespace
 
 QuadVector integrate(const Slope& slope, QuadVector y, Quad from, Quad to, Quad tolerance) {
-  Extrapolation extrapolation(slope, y.size());
-  QuadVector end(y.size());
-  Quad t = from;
-  Quad H = (to - from) / 100;
-  while (t < to) {
-    const bool last = t + H >= to;
-    const Quad length = last ? to - t : H;
-    if (t + length == t) throw std::runtime_error("the reference integrator's step vanished");
-    const Quad error = extrapolation.step(t, y, length, end) / tolerance;
-    const Quad factor = Quad(9) / 10 * powq(fmaxq(error, quad("1e-12")), -Quad(1) / (2 * columns - 1));
-    if (error <= 1) {
-      t = last ? to : t + length;
-      y = end;
-      H = length * fminq(factor, Quad(2));
-    } else {
-      H = length * (isnanq(error) ? quad("0.1") : fmaxq(factor, quad("0.1")));
-    }
-  }
-  return y;
+  return drive<Quad>(slope, std::move(y), from, to, tolerance);
+}
+
+std::vector<long double> integrate(const SlopeOf<long double>& slope, std::vector<long double> y, long double from,
+                                   long double to, long double tolerance) {
+  return drive<long double>(slope, std::move(y), from, to, tolerance);
 }
 
 }  // namespace muelle::hard_cases
