@@ -177,6 +177,8 @@ Outlook outlook(const MethodInfo& method, const Variant& variant, double duratio
                                   : stepText(m, h);
   }
   if (added) result.error = std::abs(sum);
+  // Each mode was held to the size of the motion; so are all together.
+  if (variant.sensitivity && variant.measure == Measure::Error) result.error = std::min(result.error, variant.extent);
   result.text += fmt::format(": {:.1e}", result.error);
   return result;
 }
