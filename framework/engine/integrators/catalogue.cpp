@@ -31,6 +31,8 @@ constexpr MakeMethod makers[] = {
     linearisedBackwardEuler,
     backwardEuler,
     bdf2,
+    trBdf2,
+    esdirk4,
     newmark,
     implicitMidpoint,
     discreteGradient,

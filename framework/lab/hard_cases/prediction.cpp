@@ -59,7 +59,8 @@ Prediction adaptive(const MethodInfo& method, const Variant& variant, double dur
     error = std::max(error, tolerance * m.sensitivity * variant.errorGrowth * sum);
     left = std::max(left, exactSize(m, duration));
   }
-  const double evaluations = steps * method.stages;
+  // An implicit step solves an equation for each order, each with two or three evaluations.
+  const double evaluations = steps * (method.implicit ? 2.0 * method.order : method.stages);
   if (evaluations > static_cast<double>(budget)) {
     return fails(Cost, std::numeric_limits<double>::infinity(),
                  fmt::format("about {:.1e} force evaluations at tolerance {:.0e}, beyond {:.0e}", evaluations,
