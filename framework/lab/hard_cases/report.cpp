@@ -57,6 +57,8 @@ std::string shortName(const std::string& id) {
                                                            {"rkc2", "RKC2"},
                                                            {"backward_euler", "BE"},
                                                            {"bdf2", "BDF2"},
+                                                           {"tr_bdf2", "TRB2"},
+                                                           {"esdirk4", "ESD4"},
                                                            {"linearised_backward_euler", "LBE"},
                                                            {"newmark", "NM"},
                                                            {"implicit_midpoint", "IM"},
