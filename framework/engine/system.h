@@ -31,6 +31,8 @@ class System : public DynamicalSystem {
   virtual const Linearisation* linearisation() const { return nullptr; }
   virtual const Constraints* constraints() const { return nullptr; }
   virtual const Switching* switching() const { return nullptr; }
+  /// The rods, whose forces are not in force(): only a method with MethodInfo::holdsRods may run a system that has any.
+  virtual std::span<const Rod> rods() const { return {}; }
 
   /// Unknown i in the user's words: "node 12, z". For messages.
   virtual std::string unknownName(int i) const;

@@ -420,6 +420,7 @@ RunResult simulate(const System& system, Method& method, State start, const RunO
   checkSizes(system, start);
   checkOptions(options, start, method.info().adaptive && !options.fixedStep);
   checkForesight(system, method.info(), options);
+  checkRodsAreHeld(system, method.info());
   return Run(system, method, std::move(start), options).go();
 }
 

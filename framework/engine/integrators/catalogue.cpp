@@ -20,6 +20,7 @@ constexpr MakeMethod makers[] = {
     symplecticEuler,
     explicitMidpoint,
     velocityVerlet,
+    rattle,
     rungeKutta4,
     dormandPrince5,
     dop853,

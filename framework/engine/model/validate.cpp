@@ -1,5 +1,7 @@
 #include "engine/model/validate.h"
 
+#include "engine/model/rods.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
@@ -262,6 +264,7 @@ void validate(const Model& model) {
   requireInScene(model, "gravity", "acceleration", model.gravity);
   checkNodes(model);
   checkSprings(model);
+  checkRods(model);
   checkElements(model);
   checkProperties(model);
   checkExternalForces(model);

@@ -47,6 +47,7 @@ std::string shortName(const std::string& id) {
                                                            {"symplectic_euler", "SE"},
                                                            {"explicit_midpoint", "EM"},
                                                            {"velocity_verlet", "VV"},
+                                                           {"rattle", "RATTLE"},
                                                            {"runge_kutta_4", "RK4"},
                                                            {"dormand_prince_5", "DP5"},
                                                            {"dop853", "DOP853"},
