@@ -105,6 +105,13 @@ class Constraints {
   virtual std::string leftOut() const = 0;
 };
 
+/// A rod: two nodes whose distance never changes.
+struct Rod {
+  int a = -1, b = -1;            ///< first unknown of each end, -1 when a pin holds it; not both
+  std::array<double, 3> held{};  ///< place of a held end [m]
+  double length = 1.0;           ///< [m]
+};
+
 /// Where the force is not smooth. Modes are kept in z: live (as the positions say) as long as events are not located,
 /// frozen between events otherwise, so that every step sees a smooth force.
 class Switching {

@@ -27,6 +27,7 @@ struct StepResult {
   bool done = true;     ///< false: the step could not be taken; `to` is then meaningless
   double error = 0.0;   ///< estimated local error over the tolerance; at most 1 is good. 0 without an estimate
   std::string failure;  ///< one line when not done: what failed, and by how much
+  bool retry = true;    ///< when not done: whether a shorter step is worth a try
 };
 
 /// A method that advances a system by one step and does nothing else: step control, events, output, commits and failure

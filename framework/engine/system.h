@@ -31,6 +31,8 @@ class System : public DynamicalSystem {
   virtual const Linearisation* linearisation() const { return nullptr; }
   virtual const Constraints* constraints() const { return nullptr; }
   virtual const Switching* switching() const { return nullptr; }
+  /// The rods, whose forces are not in force(): only a method with MethodInfo::holdsRods may run a system that has any.
+  virtual std::span<const Rod> rods() const { return {}; }
 
   /// Whether something ties the system to a place: a node that is held or moved, an obstacle, drag, a field that
   /// varies. Without it the motion is the same however fast all of it flies by.

@@ -10,10 +10,12 @@
 #include "lab/hard_cases/running.h"
 #include "lab/run/run_scene.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <cmath>
 #include <complex>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace muelle::hard_cases {
@@ -326,6 +328,56 @@ double dragError(const Finished& end) { return relative(end.x(0)[0], reference("
 TEST(H23StiffDamping, LStableMethodsAtFrameRate) {
   EXPECT_LT(dragError(run(stiffDrag(), "backward_euler", fixedStep(1.0 / 60, 1.0))), 1e-9);
   EXPECT_LT(dragError(run(stiffDrag(), "bdf2", fixedStep(1.0 / 60, 1.0))), 1e-9);
+}
+
+/// What the loosest tolerance costs at which a method with an estimate meets the bar.
+struct Cost {
+  engine::Work work;
+  double tolerance = 0.0;
+  double seconds = 0.0;
+  /// On a system of one or two unknowns a matrix, its factors and a solve cost about what a force does.
+  long long total() const { return work.forceEvaluations + work.jacobians + work.factorisations + work.solves; }
+};
+
+std::optional<Cost> loosest(const engine::Model& model, const std::string& id, double duration, double bar,
+                            double (*error)(const Finished&)) {
+  for (double tolerance = 1e-2; tolerance > 1e-10; tolerance /= std::sqrt(10.0)) {
+    const Finished end = run(model, id, withTolerance(tolerance, duration));
+    if (error(end) <= bar) return Cost{end.result.work, tolerance, end.result.wallTime};
+  }
+  return std::nullopt;
+}
+
+/// esdirk4 against every explicit method that chooses its steps, on H11 and H23 at the bars of the matrix.
+void expectCheapest(const engine::Model& model, const std::string& name, double duration, double bar,
+                    double (*error)(const Finished&)) {
+  const std::optional<Cost> own = loosest(model, "esdirk4", duration, bar, error);
+  ASSERT_TRUE(own.has_value());
+  for (const std::string& id : engine::methodIds()) {
+    const engine::MethodInfo& info = engine::methodInfo(id);
+    if (!info.adaptive || (info.needs.velocityFreeForce && name == "H23")) continue;
+    const std::optional<Cost> cost = loosest(model, id, duration, bar, error);
+    if (!cost) continue;
+    fmt::print("{} {:18} tolerance {:.0e}: {} evaluations, {} Jacobians, {} factorisations, {} solves, {:.3f} ms\n",
+               name, id, cost->tolerance, cost->work.forceEvaluations, cost->work.jacobians, cost->work.factorisations,
+               cost->work.solves, 1e3 * cost->seconds);
+    if (!info.implicit) {
+      EXPECT_LT(own->total(), cost->total()) << name << " " << id;
+    }
+  }
+}
+
+TEST(AdaptiveImplicit, MeetsH11AndH23WithLessWorkThanAnyAdaptiveExplicitMethod) {
+  expectCheapest(stiffnessRatio(), "H11", 10.0, 5e-5, slowError);
+  expectCheapest(stiffDrag(), "H23", 1.0, 1e-3, dragError);
+}
+
+/// At fixed steps too it has to beat Verlet on H11, within its limit of 2 ms.
+TEST(AdaptiveImplicit, MeetsH11WithLessWorkThanVerlet) {
+  const std::optional<Cost> own = loosest(stiffnessRatio(), "esdirk4", 10.0, 5e-5, slowError);
+  ASSERT_TRUE(own.has_value());
+  EXPECT_LT(own->total(),
+            run(stiffnessRatio(), "velocity_verlet", fixedStep(1.0 / 501, 10.0)).result.work.forceEvaluations);
 }
 
 TEST(H23StiffDamping, VerletTreatsDragExactly) {

@@ -76,6 +76,13 @@ void checkForesight(const System& system, const MethodInfo& method, const RunOpt
                       method.name));
 }
 
+void checkRodsAreHeld(const System& system, const MethodInfo& method) {
+  require(system.rods().empty() || method.holdsRods,
+          fmt::format("{} does not hold rods, and the scene has {}; use the method 'rattle', or give the springs a "
+                      "stiffness k in place of rod = true",
+                      method.id, system.rods().size()));
+}
+
 void checkSizes(const System& system, const State& start) {
   const auto size = static_cast<std::size_t>(system.size());
   require(size > 0, "the system has no unknown");

@@ -10,5 +10,7 @@ void checkOptions(const RunOptions& options, const State& start, bool adaptive);
 void checkForesight(const System& system, const MethodInfo& method, const RunOptions& options);
 /// Throws std::invalid_argument when sizes, masses or the start time make no sense.
 void checkSizes(const System& system, const State& start);
+/// Throws std::invalid_argument when the system has rods and the method does not hold them.
+void checkRodsAreHeld(const System& system, const MethodInfo& method);
 
 }  // namespace muelle::engine

@@ -305,7 +305,7 @@ bool Run::retryFailed(const PlannedStep& step, const StepResult& result) {
   ++result_.work.rejectedSteps;
   if (adaptive_) controller_->fail(step.length);
   piece_ = adaptive_ ? piece_ : 0.5 * step.length;
-  if (++retries_ <= mostRetries && 0.25 * step.length > shortestStep()) {
+  if (result.retry && ++retries_ <= mostRetries && 0.25 * step.length > shortestStep()) {
     if (!warnedOfFailures_) {
       warnOnce(warnedOfFailures_, fmt::format("t = {:.6g} s: a step of {:.3g} s failed ({}) and is taken in pieces",
                                               from_.t, step.length, result.failure));
@@ -475,6 +475,7 @@ RunResult simulate(const System& system, Method& method, State start, const RunO
   checkSizes(system, start);
   checkOptions(options, start, method.info().adaptive && !options.fixedStep);
   checkForesight(system, method.info(), options);
+  checkRodsAreHeld(system, method.info());
   return Run(system, method, std::move(start), options).go();
 }
 

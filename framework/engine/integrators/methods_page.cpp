@@ -48,6 +48,7 @@ std::string characterOf(const MethodInfo& info) {
   return chosen({{info.symplectic, "symplectic"},
                  {info.reversible, "reversible"},
                  {info.adaptive, "adaptive"},
+                 {info.holdsRods, "holds rods"},
                  {info.iterative, "stops before it converges"},
                  {info.stability == Stability::AStable, "A-stable"},
                  {info.stability == Stability::LStable, "L-stable"}},

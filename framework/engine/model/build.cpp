@@ -92,7 +92,7 @@ void addSprings(Builder& builder) {
   std::vector<SpringElement> plain, crossing, unilateral;
   for (std::size_t i = 0; i < builder.model.springs.size(); ++i) {
     const ModelSpring& s = builder.model.springs[i];
-    if (!builder.anyFree({s.a, s.b})) continue;
+    if (s.rod || !builder.anyFree({s.a, s.b})) continue;
     // Without a rest length nothing happens at zero length.
     auto& kind = s.unilateral ? unilateral : s.L0 > 0.0 && (D == 1 || builder.model.springsCross) ? crossing : plain;
     kind.push_back({builder.built(s.a), builder.built(s.b), s.k, s.L0, s.dRelative, projectedDamping(builder.model, s),

@@ -53,6 +53,7 @@ MassSpringSystem::MassSpringSystem(Model model, Numbering numbering, std::vector
       moved_.push_back(i);
     }
   }
+  rods_ = rodsOfModel();
   constraintStart_.push_back(0);
   std::vector<double> times;
   for (const auto& batch : batches_) {
@@ -88,6 +89,27 @@ Configuration MassSpringSystem::gather(double t, In x, In v, In z, Arrays& array
   std::copy(v.begin(), v.end(), arrays.v.begin());
   setFixed(t, z, arrays);
   return {t, arrays.x.data(), arrays.v.data(), z.data()};
+}
+
+std::vector<Rod> MassSpringSystem::rodsOfModel() const {
+  std::vector<Rod> rods;
+  for (const ModelSpring& spring : model_.springs) {
+    if (!spring.rod) continue;
+    Rod rod;
+    rod.length = spring.L0;
+    for (const auto& [node, end] : {std::pair(spring.a, &rod.a), std::pair(spring.b, &rod.b)}) {
+      const int built = numbering_.built[static_cast<std::size_t>(node)];
+      if (built < numbering_.freeNodes) {
+        *end = dimension_ * built;
+        continue;
+      }
+      for (std::size_t c = 0; c < numbering_.axes.size(); ++c) {
+        rod.held[c] = model_.nodes[static_cast<std::size_t>(node)].x[numbering_.axes[c]];
+      }
+    }
+    rods.push_back(rod);
+  }
+  return rods;
 }
 
 /// The array that the batches add to: the caller's, or one with room for the fixed nodes.

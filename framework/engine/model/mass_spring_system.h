@@ -44,6 +44,7 @@ class MassSpringSystem final : public ModelSystem,
   const Switching* switching() const override { return switches_ ? this : nullptr; }
   bool isTied() const override;
   void everyNode(const State& state, std::vector<double>& x, std::vector<double>& v) const override;
+  std::span<const Rod> rods() const override { return rods_; }
   std::string unknownName(int i) const override;
   int dimension() const override { return dimension_; }
 
@@ -96,6 +97,7 @@ class MassSpringSystem final : public ModelSystem,
   };
   Configuration gather(double t, In x, In v, In z, Arrays& arrays) const;
   void setFixed(double t, In z, Arrays& arrays) const;
+  std::vector<Rod> rodsOfModel() const;
   double* start(Out f) const;
   void finish(Out f) const;
   void bind() const;
@@ -117,6 +119,7 @@ class MassSpringSystem final : public ModelSystem,
   std::vector<std::unique_ptr<ForceBatch>> batches_;
   std::unique_ptr<NodeDrag> drag_;
   std::vector<int> constraintStart_;
+  std::vector<Rod> rods_;
   mutable Arrays first_, second_;
   mutable std::vector<double> acceleration_;
   mutable std::optional<MatrixPattern> pattern_;  ///< laid out when first asked for: explicit methods never do

@@ -41,6 +41,7 @@ struct ModelSpring {
   double dRelative = 0.0;   ///< [kg/s]
   double dProjected = 0.0;  ///< [kg/s]
   bool unilateral = false;  ///< acts only when shorter than L0 (a contact between nodes, "rest gap")
+  bool rod = false;         ///< of the constant length L0 ("k infinite"): k does not count. See checkRods()
   double dampingRatio = 0;  ///< above 0 in place of dProjected, which then is 0: see projectedDamping()
 };
 

@@ -1,6 +1,7 @@
 #include "engine/model/validate.h"
 
 #include "base/text/count.h"
+#include "engine/model/rods.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -265,6 +266,7 @@ void validate(const Model& model) {
   requireInScene(model, "gravity", "acceleration", model.gravity);
   checkNodes(model);
   checkSprings(model);
+  checkRods(model);
   checkElements(model);
   checkProperties(model);
   checkExternalForces(model);

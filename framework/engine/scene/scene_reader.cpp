@@ -86,13 +86,15 @@ void requireMass(const TableReader& table, const ModelNode& node) {
 }
 
 void readSpring(const TableReader& table, Model& model) {
-  table.checkKeys({"nodes", "k", "L0", "relative_damping", "projected_damping", "damping_ratio", "unilateral"},
-                  {"nodes", "k"});
+  table.checkKeys({"nodes", "k", "L0", "relative_damping", "projected_damping", "damping_ratio", "unilateral", "rod"},
+                  {"nodes"});
   const std::vector<int> nodes = readNodes(table, model, 2);
   ModelSpring spring;
   spring.a = nodes[0];
   spring.b = nodes[1];
-  spring.k = table.notNegative("k");
+  spring.rod = table.flag("rod", false);
+  if (spring.rod && table.has("k")) table.fail("k", "a rod has no stiffness: leave k or rod out");
+  if (!spring.rod) spring.k = table.notNegative("k");
   spring.L0 = table.notNegative("L0", (positionOf(model, spring.a) - positionOf(model, spring.b)).norm());
   spring.dRelative = table.notNegative("relative_damping", 0.0);
   spring.dProjected = table.notNegative("projected_damping", 0.0);

@@ -32,6 +32,7 @@ void Newton::prepare(const System& system) {
     throw std::invalid_argument("an implicit method needs the derivatives of the force (linearisation)");
   }
   system_ = &system;
+  hasMatrix_ = false;
   const auto n = static_cast<Eigen::Index>(system.size());
   for (Point* point : {&here_, &trial_}) {
     for (Vector* v : {&point->w, &point->X, &point->V, &point->F, &point->R}) v->setZero(n);
@@ -94,6 +95,8 @@ bool Newton::factorise(Form form, Factorisation& found) {
   floor_.setZero();
   found = solver_.factorise(J_, form != Form::Exact);
   ++work_->factorisations;
+  hasMatrix_ = found.usable;
+  factors_ = {s.tau, s.alpha, s.beta};
   return found.usable;
 }
 
@@ -218,6 +221,36 @@ void Newton::keepMatrix() {
   }
 }
 
+bool Newton::converged(double tolerance, int& worst) {
+  relative_ = relativeResidual(here_, 0.0, worst);
+  if (relative_ <= tolerance) return true;
+  needFloor();
+  relative_ = relativeResidual(here_, 4.0, worst);
+  return relative_ <= tolerance;
+}
+
+/// Simplified Newton steps with the matrix of the last solve(), as long as each makes the residual ten times smaller: a
+/// new matrix would not do much better. Their number.
+int Newton::reuseMatrix(double tolerance) {
+  std::string failure;
+  int steps = 0, worst = 0;
+  for (; steps < 20 && here_.size > 0.0; ++steps) {
+    if (steps > 0 && converged(tolerance, worst)) break;
+    if (!direction(failure)) break;
+    scratch_ = here_.w + step_;
+    evaluate(scratch_, trial_);
+    if (!trial_.finite || trial_.size > 0.1 * here_.size) break;
+    std::swap(here_, trial_);
+  }
+  return steps;
+}
+
+bool Newton::solveWithLastMatrix(const Vector& b, Vector& x, Work& work) {
+  if (!hasMatrix_) return false;
+  ++work.solves;
+  return solver_.solve(b, x).empty();
+}
+
 NewtonReport Newton::solve(const System& system, const ImplicitStage& stage, const NewtonOptions& options, Vector& w,
                            Work& work) {
   stage_ = &stage;
@@ -227,7 +260,8 @@ NewtonReport Newton::solve(const System& system, const ImplicitStage& stage, con
   new (&mass_) Eigen::Map<const Vector>(mass.data(), static_cast<Eigen::Index>(mass.size()));
   NewtonReport report;
   floor_.setZero();
-  floorKnown_ = true;  // there is no matrix yet
+  hasMatrix_ = hasMatrix_ && options.reuse && factors_ == std::array{stage.tau, stage.alpha, stage.beta};
+  floorKnown_ = !hasMatrix_;
   evaluate(w, here_);
   if (!here_.finite) {
     w.setZero();
@@ -244,14 +278,17 @@ NewtonReport Newton::solve(const System& system, const ImplicitStage& stage, con
   std::string failure;
   int worst = 0;
   bool exactWorks = true;
+  if (hasMatrix_) {
+    report.iterations = reuseMatrix(options.tolerance);
+    work.newtonIterations += report.iterations;
+  }
   for (;;) {
     if (here_.size == 0.0) break;
-    relative_ = relativeResidual(here_, 0.0, worst);
-    if (report.iterations > 0 && relative_ > options.tolerance) {
-      needFloor();
-      relative_ = relativeResidual(here_, 4.0, worst);
+    if (report.iterations > 0) {
+      if (converged(options.tolerance, worst)) break;
+    } else {
+      relative_ = relativeResidual(here_, 0.0, worst);
     }
-    if (report.iterations > 0 && relative_ <= options.tolerance) break;
     if (report.iterations == options.mostIterations) {
       report.failure = "Newton: no convergence after " + counted(report.iterations, "iteration");
       break;

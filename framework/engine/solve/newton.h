@@ -3,6 +3,7 @@
 #include "engine/system.h"
 #include "engine/work.h"
 
+#include <array>
 #include <Eigen/Core>
 #include <functional>
 #include <string>
@@ -32,6 +33,7 @@ struct NewtonOptions {
       1e-12;  ///< of each unknown's residual, relative to the terms |M w| + tau |F| + |g| of its equation
   int mostIterations = 200;
   bool polish = false;      ///< go on, with the last matrix, until the residual falls no further
+  bool reuse = false;       ///< begin with the last solve's matrix (of a stage with the same factors), while it is good
   bool simplified = false;  ///< keep each matrix as long as the residual at least halves with it
 };
 
@@ -64,6 +66,10 @@ class Newton {
   /// Solves from the guess in w and leaves the solution there.
   NewtonReport solve(const System& system, const ImplicitStage& stage, const NewtonOptions& options, Eigen::VectorXd& w,
                      Work& work);
+  /// Whether the last solve() had a matrix: it has none where its guess was the solution to the last bit.
+  bool hasMatrix() const { return hasMatrix_; }
+  /// x = J^-1 b with the last matrix of the last solve(), one near its solution; false when that has none.
+  bool solveWithLastMatrix(const Eigen::VectorXd& b, Eigen::VectorXd& x, Work& work);
   /// X, V and F at the solution of the last solve().
   const Eigen::VectorXd& position() const { return here_.X; }
   const Eigen::VectorXd& velocity() const { return here_.V; }
@@ -90,6 +96,9 @@ class Newton {
   /// Computes floor_ for the last matrix, once.
   void needFloor();
   void keepMatrix();
+  int reuseMatrix(double tolerance);
+  /// Whether the residual is within the tolerance, or as low as round-off lets it be; sets relative_.
+  bool converged(double tolerance, int& worst);
 
   const System* system_ = nullptr;
   const ImplicitStage* stage_ = nullptr;
@@ -101,6 +110,8 @@ class Newton {
   Eigen::VectorXd step_, rest_, floor_, absolute_, scratch_;
   double relative_ = 0.0;
   bool floorKnown_ = false;
+  bool hasMatrix_ = false;
+  std::array<double, 3> factors_{};  ///< tau, alpha, beta of the last matrix
 };
 
 }  // namespace muelle::engine

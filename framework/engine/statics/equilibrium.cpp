@@ -279,6 +279,9 @@ void check(const System& system, const State& start) {
   if (system.potential() == nullptr || system.linearisation() == nullptr) {
     throw std::invalid_argument("an equilibrium needs the energy of the forces (potential) and its derivatives");
   }
+  if (!system.rods().empty()) {
+    throw std::invalid_argument("an equilibrium with rods is not looked for: give the springs a stiffness k");
+  }
   if (start.x.size() != static_cast<std::size_t>(system.size())) {
     throw std::invalid_argument(fmt::format("equilibrium: {} for {}", counted(std::ssize(start.x), "position"),
                                             counted(system.size(), "unknown")));

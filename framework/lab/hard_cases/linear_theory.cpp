@@ -152,7 +152,7 @@ std::optional<Matrix> stepMatrix(const std::string& id, const Mode& m, Real h) {
   if (id == "explicit_midpoint") return series(Z, 2);
   if (id == "runge_kutta_4") return series(Z, 4);
   if (id == "symplectic_euler") return symplecticEuler(m, h);
-  if (id == "velocity_verlet") return verlet(m, h);
+  if (id == "velocity_verlet" || id == "rattle") return verlet(m, h);
   if (id == "yoshida4") return yoshida4(m, h);
   if (id == "kahan_li_8") return kahanLi8(m, h);
   if (id == "backward_euler" || id == "linearised_backward_euler" || id == "projective_dynamics") {

@@ -1,3 +1,4 @@
+#include "engine/control/simulate.h"
 #include "engine/integrators/implicit/methods.h"
 #include "engine/model/model_system.h"
 #include "run.h"
@@ -20,7 +21,8 @@ using testing::start;
 using Vector = Eigen::VectorXd;
 
 using Make = std::unique_ptr<Method> (*)();
-constexpr Make methods[] = {backwardEuler, linearisedBackwardEuler, bdf2, newmark, implicitMidpoint, discreteGradient};
+constexpr Make methods[] = {backwardEuler,    linearisedBackwardEuler, bdf2, trBdf2, esdirk4, newmark,
+                            implicitMidpoint, discreteGradient};
 
 /// A force alone: no energy, no derivatives.
 class Bare : public System {
@@ -110,6 +112,75 @@ TEST(NonSymmetricJacobian, IsUsedWhereThereIsNoPotential) {
     EXPECT_NEAR(to.v[i], from.v[i] + 0.05 * f[i], 1e-13);
     EXPECT_NEAR(to.x[i], from.x[i] + 0.05 * to.v[i], 1e-15);
   }
+}
+
+/// A discrete gradient whose equation M w = h F has no solution for any step: F = (w + 1) / h.
+class Unsolvable : public System, public Linearisation, public Potential {
+ public:
+  double h = 0.1;
+  int size() const override { return 1; }
+  std::span<const double> mass() const override { return mass_; }
+  void force(double, In, In, In, Out f) const override { f[0] = 0.0; }
+  const Linearisation* linearisation() const override { return this; }
+  const Potential* potential() const override { return this; }
+  void assemble(double cM, double, double, double, In, In, In, Form, SystemMatrix& J) const override {
+    J.sparse = Eigen::MatrixXd::Constant(1, 1, cM).sparseView();
+    J.sparse.makeCompressed();
+  }
+  bool isComplete() const override { return true; }
+  double energy(double, In, In) const override { return 0.0; }
+  void conservativeForce(double, In, In, Out f) const override { f[0] = 0.0; }
+  void discreteGradientForce(double, In xa, In xb, In, Out f) const override {
+    f[0] = (2.0 * (xb[0] - xa[0]) / h + 1.0) / h;  // at rest: xb - xa = h w / 2
+  }
+
+ private:
+  std::vector<double> mass_ = {1.0};
+};
+
+/// The attempts at one step, each half as long as the last, spend 50 Newton steps at most, and the last one says so.
+TEST(DiscreteGradient, GivesUpAStepWithinFiftyNewtonStepsHalvingsIncluded) {
+  Unsolvable system;
+  const auto method = discreteGradient();
+  method->prepare(system, {});
+  const State from = start({0.0});
+  State to = from;
+  StepResult result;
+  int attempts = 0;
+  do {
+    result = method->step(system, from, system.h, to);
+    ASSERT_FALSE(result.done);
+    system.h *= 0.5;
+    ++attempts;
+  } while (result.retry && attempts < 100);
+  EXPECT_FALSE(result.retry);
+  EXPECT_LE(method->work().newtonIterations, 50);
+  EXPECT_NE(result.failure.find("halvings included"), std::string::npos) << result.failure;
+  EXPECT_NE(result.failure.find("residual"), std::string::npos) << result.failure;
+  // Another step has its own.
+  State later = from;
+  later.t = 1.0;
+  EXPECT_TRUE(method->step(system, later, system.h, to).retry);
+}
+
+/// A discrete gradient that pushes back to where the step began: M w = h F has no solution for any h.
+class PushesBack : public Unsolvable {
+ public:
+  void discreteGradientForce(double, In xa, In xb, In, Out f) const override { f[0] = xb[0] > xa[0] ? -1.0 : 1.0; }
+};
+
+TEST(DiscreteGradient, EndsARunWithTheReason) {
+  const PushesBack system;
+  RunOptions options;
+  options.duration = 1.0;
+  options.h = 0.1;
+  options.checkStability = options.checkNumericalDamping = false;
+  const auto method = discreteGradient();
+  const RunResult result = simulate(system, *method, start({0.0}), options);
+  EXPECT_TRUE(result.failed());
+  EXPECT_EQ(result.last.t, 0.0);
+  EXPECT_LE(result.work.newtonIterations, 50);
+  EXPECT_NE(result.trajectory.stop.message.find("Newton"), std::string::npos) << result.trajectory.stop.message;
 }
 
 /// One Newton step is not the solution: the error of Baraff-Witkin's step in its own equation is of second order.

@@ -103,10 +103,72 @@ TEST(Recurrence, Bdf2FollowsItsFormulaWithChangingSteps) {
   }
 }
 
+/// The trapezoidal rule to 2 d h and BDF2 over both parts, with changing steps; d = 1 - 1/sqrt(2).
+TEST(Recurrence, TrBdf2IsItsStabilityFunction) {
+  const LinearSystem system = chain();
+  const auto method = trBdf2();
+  method->prepare(system, {});
+  State state = chainStart(), next = state;
+  const double d = 1.0 - std::sqrt(0.5);
+  Vector y = y0;
+  for (const double h : {0.05, 0.05, 0.08, 0.02, 0.03}) {
+    ASSERT_TRUE(method->step(system, state, h, next).done);
+    method->accept();
+    std::swap(state, next);
+    const Matrix hA = firstOrder(h), stage = I - d * hA;
+    y = solveFullPivoting(stage * stage, y + (1.0 - 2.0 * d) * (hA * y));
+    EXPECT_LT((packed(state) - y).norm(), 1e-14) << "h = " << h;
+  }
+}
+
+/// R(z) = P(z) / (1 - z/4)^5 with P of degree 4, since the method is of order 4 and R(inf) = 0: P's coefficients are
+/// those of exp(z) (1 - z/4)^5 up to z^4.
+TEST(Recurrence, Esdirk4IsItsStabilityFunction) {
+  const LinearSystem system = chain();
+  double numerator[5], factorial = 1.0;
+  const double power[5] = {1.0, -5.0 / 4, 10.0 / 16, -10.0 / 64, 5.0 / 256};  // of (1 - z/4)^5
+  for (double& c : numerator) c = 0.0;
+  for (int i = 0; i < 5; ++i) {
+    factorial *= i > 0 ? i : 1;
+    for (int j = 0; i + j < 5; ++j) numerator[i + j] += power[j] / factorial;
+  }
+  const Matrix hA = firstOrder(0.05), stage = I - 0.25 * hA;
+  Matrix P = numerator[4] * I, Q = I;
+  for (int i = 3; i >= 0; --i) P = Matrix(P * hA) + numerator[i] * I;
+  for (int i = 0; i < 5; ++i) Q = Matrix(Q * stage);
+  // Five solves a step, each with some ulp of the stages, which are up to 10 times as large as the state.
+  EXPECT_LT((packed(run(system, *esdirk4(), chainStart(), 0.05, 10)) - recurrence(Q, P, 10)).norm(), 1e-13);
+}
+
+/// What the controller is told falls with h^order, whatever the power of the estimate itself; at fast modes it does not
+/// grow with the stiffness.
+TEST(ErrorEstimate, FallsWithTheOrderAndStaysBoundedAtFastModes) {
+  Tolerance same;  // for all unknowns
+  same.relative = 0.0;
+  same.relative = 1.0;
+  const auto estimate = [&same](Method& method, const System& system, const State& from, double h) {
+    State to = from;
+    method.prepare(system, same);
+    return method.step(system, from, h, to).error;
+  };
+  for (const auto make : {trBdf2, esdirk4}) {
+    const auto method = make();
+    const LinearSystem system = chain();
+    // At h omega = 0.03 the next term is some per cent of the first.
+    const double coarse = estimate(*method, system, chainStart(), 1e-3);
+    const double fine = estimate(*method, system, chainStart(), 5e-4);
+    EXPECT_NEAR(std::log2(coarse / fine), method->info().order, 0.15) << method->info().id;
+    // Unfiltered, the estimate of a mode grows with h omega: here 100 times.
+    const double stiff = estimate(*method, LinearSystem(1e4, 0.0), start({1e-2}, {1.0}), 1.0);
+    const double stiffer = estimate(*method, LinearSystem(1e8, 0.0), start({1e-4}, {1.0}), 1.0);
+    EXPECT_LT(stiffer, 2.0 * stiff) << method->info().id;
+  }
+}
+
 /// A step that is taken again with a smaller h must not leave the rejected one in the memory.
 TEST(Recurrence, ARejectedStepLeavesNoTrace) {
   const LinearSystem system = chain();
-  for (const auto make : {bdf2, newmark}) {
+  for (const auto make : {bdf2, newmark, trBdf2, esdirk4}) {
     const auto straight = make(), disturbed = make();
     straight->prepare(system, {});
     disturbed->prepare(system, {});
@@ -128,7 +190,8 @@ TEST(Recurrence, ARejectedStepLeavesNoTrace) {
 /// h omega = 1e4 and h d / m = 1e6: no method of this family may grow; the L-stable ones let the fast modes die.
 TEST(Stability, HoldsForEveryStep) {
   const LinearSystem stiff(Vector::Ones(2), Matrix{{1e8, 0.0}, {0.0, 1.0}}, Matrix{{1e4, 0.0}, {0.0, 1e6}});
-  for (const auto make : {backwardEuler, linearisedBackwardEuler, bdf2, newmark, implicitMidpoint, discreteGradient}) {
+  for (const auto make :
+       {backwardEuler, linearisedBackwardEuler, bdf2, trBdf2, esdirk4, newmark, implicitMidpoint, discreteGradient}) {
     const auto method = make();
     const State end = run(stiff, *method, start({1.0, 1.0}, {1.0, 1.0}), 1.0, 100);
     EXPECT_LE(std::abs(end.x[0]), 1.001) << method->info().id;
@@ -144,7 +207,7 @@ TEST(Stability, HoldsForEveryStep) {
 TEST(Stability, StiffDragIsExactForLStableMethods) {
   const LinearSystem drag(1.0, 1e4);
   const double exact = 9.99900024996834137392e-5;
-  for (const auto make : {backwardEuler, bdf2}) {
+  for (const auto make : {backwardEuler, bdf2, trBdf2, esdirk4}) {
     const auto method = make();
     const State end = run(drag, *method, start({0.0}, {1.0}), 1.0 / 60.0, 60);
     EXPECT_NEAR(end.x[0], exact, 1e-9 * exact) << method->info().id;

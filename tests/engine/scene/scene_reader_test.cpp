@@ -29,6 +29,8 @@ const std::vector<Fault>& faults() {
        "scenes/test.toml:1: key 'title': missing in the scene"},
       {"MisspeltKey", head + pair + "[[spring]]\nnodes = [0, 1]\nk = 1\nrelative_dampng = 2\n" + run,
        "scenes/test.toml:15: key 'relative_dampng': unknown; did you mean 'relative_damping'?"},
+      {"RodWithStiffness", head + pair + "[[spring]]\nnodes = [0, 1]\nrod = true\nk = 1\n" + run,
+       "scenes/test.toml:15: key 'k': a rod has no stiffness: leave k or rod out"},
       {"TextForNumber", head + "[[node]]\nx = 'here'\nm = 1\n" + run,
        "scenes/test.toml:7: key 'x': expected a number, found a text"},
       {"NegativeMass", head + "[[node]]\nx = 0.0\nm = -1.0\n" + run,

@@ -10,6 +10,7 @@ std::unique_ptr<Method> explicitEuler();
 std::unique_ptr<Method> symplecticEuler();
 std::unique_ptr<Method> explicitMidpoint();
 std::unique_ptr<Method> velocityVerlet();
+std::unique_ptr<Method> rattle();
 std::unique_ptr<Method> rungeKutta4();
 std::unique_ptr<Method> dormandPrince5();
 std::unique_ptr<Method> dop853();

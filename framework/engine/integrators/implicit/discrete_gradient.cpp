@@ -1,7 +1,8 @@
 #include "engine/integrators/implicit/implicit_method.h"
 #include "engine/integrators/implicit/methods.h"
 
-#include <utility>
+#include <fmt/format.h>
+#include <algorithm>
 
 namespace muelle::engine {
 
@@ -18,7 +19,8 @@ MethodInfo discreteGradientInfo() {
   info.remark =
       "Energy to round-off at every step, by construction: damped scenes lose exactly what the damper takes. Phases "
       "are those of implicit midpoint, fast modes ring (|R| -> 1). Large steps on stiff scenes may have no solution "
-      "that the iteration finds. R(z) = (1 + z/2) / (1 - z/2).";
+      "that the iteration finds: it gives up after 50 Newton steps on one step, halvings included. R(z) = (1 + z/2) / "
+      "(1 - z/2).";
   return info;
 }
 
@@ -51,23 +53,37 @@ class DiscreteGradient final : public ImplicitMethod {
       system.potential()->conservativeForce(tm, span(X), from.z, span(conservative_));
       F += rest_ - conservative_;
     };
-    w_.setZero();
-    NewtonOptions options;
-    options.tolerance = tolerance_;
-    options.simplified = true;
-    options.mostIterations = 60;
-    StepResult result = solveStage(system, options, h);
-    if (!result.done) {
-      // The midpoint rule's search on the energy comes near where this one does not.
-      auto force = std::exchange(stage_.force, nullptr);
-      w_.setZero();
-      result = solveStage(system, options, h);
-      stage_.force = std::move(force);
-      if (result.done) result = solveStage(system, options, h);
-    }
+    StepResult result = solveWithinBudget(system, from, h);
     stage_.force = nullptr;
     end(from, h, w_);
     dv_ = w_;
+    return result;
+  }
+
+  /// The Newton steps of attempts at one step that failed are counted together, halvings included: where the equation
+  /// has no solution near, shorter and shorter steps would look for it for ever.
+  StepResult solveWithinBudget(const System& system, const State& from, double h) {
+    if (failedAt_.t != from.t || failedAt_.x != from.x || failedAt_.v != from.v) spent_ = 0;
+    const long long before = work_.newtonIterations;
+    NewtonOptions options;
+    options.tolerance = tolerance_;
+    options.simplified = true;
+    options.mostIterations = std::min(stepsAnAttempt, mostNewtonSteps - spent_);
+    w_.setZero();
+    StepResult result = solveStage(system, options, h);
+    if (result.done) {
+      spent_ = 0;
+      return result;
+    }
+    spent_ += static_cast<int>(work_.newtonIterations - before);
+    failedAt_ = from;
+    result.retry = spent_ < mostNewtonSteps;
+    if (!result.retry) {
+      result.failure += fmt::format(
+          "; {} Newton steps are spent on this step, halvings included: take a smaller step, or a method that damps "
+          "(tr_bdf2)",
+          spent_);
+    }
     return result;
   }
 
@@ -80,7 +96,12 @@ class DiscreteGradient final : public ImplicitMethod {
     end_ = vector(from.x) + dx_;
   }
 
+  static constexpr int mostNewtonSteps = 50;  ///< on one step, halvings included
+  static constexpr int stepsAnAttempt = 12;
+
   Vector end_, rest_, conservative_;
+  State failedAt_;  ///< start of the step that failed last
+  int spent_ = 0;   ///< Newton steps on it
 };
 
 }  // namespace

@@ -9,6 +9,8 @@ namespace muelle::engine {
 std::unique_ptr<Method> backwardEuler();
 std::unique_ptr<Method> linearisedBackwardEuler();
 std::unique_ptr<Method> bdf2();
+std::unique_ptr<Method> trBdf2();
+std::unique_ptr<Method> esdirk4();
 std::unique_ptr<Method> newmark();
 std::unique_ptr<Method> implicitMidpoint();
 std::unique_ptr<Method> discreteGradient();
