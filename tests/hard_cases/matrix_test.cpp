@@ -4,6 +4,7 @@
 #include "lab/hard_cases/matrix.h"
 #include "base/file.h"
 #include "engine/integrators/catalogue.h"
+#include "lab/hard_cases/million_periods.h"
 #include "lab/hard_cases/models.h"
 #include "lab/hard_cases/references.h"
 #include "lab/hard_cases/sensitivity.h"
@@ -194,6 +195,8 @@ TEST(HardCaseMatrix, PageOfTheDocumentationIsOfThisMatrix) {
   for (const PredictionRule& rule : predictionRules())
     EXPECT_NE(page.find(rule.reason), std::string::npos) << rule.name;
   EXPECT_NE(page.find("failed unexpectedly 0."), std::string::npos);
+  EXPECT_NE(page.find("Run on " + keptH01InFull().date), std::string::npos) << "H01 in full, and when";
+  EXPECT_EQ(page.find("not known: "), std::string::npos) << "a cell that is better than predicted, for no known reason";
 }
 
 TEST(HardCaseMatrix, ReportsHoldEveryCell) {
