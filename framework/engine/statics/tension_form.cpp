@@ -252,7 +252,8 @@ void TensionForm::Parts::layOut() {
   int next = 0;
   for (Eigen::Index i = 0; i < nodes; ++i) {
     const int node = order.indices()[i];
-    for (int c = 0; c < dimension; ++c) rowOf[static_cast<std::size_t>(dimension * node + c)] = next++;
+    const int first = dimension * node;
+    for (int c = 0; c < dimension; ++c) rowOf[static_cast<std::size_t>(first + c)] = next++;
     for (Line* line : touching[static_cast<std::size_t>(node)]) {
       if (line->row < 0) line->row = next++;
     }
