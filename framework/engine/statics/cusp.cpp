@@ -25,7 +25,9 @@ std::vector<int> nodesOnACusp(const System& system, const State& state, double s
   const Vector near = force(x + 1e-9 * size * way) - here;
   SystemMatrix K;
   const std::vector<double> rest(count, 0.0);
-  system.linearisation()->assemble(0.0, 0.0, 1.0, state.t, state.x, rest, state.z, Form::Symmetric, K);
+  // Beside the place, as at it the derivatives may be of any size.
+  const Vector beside = x + 1e-6 * size * way;
+  system.linearisation()->assemble(0.0, 0.0, 1.0, state.t, {beside.data(), count}, rest, state.z, Form::Symmetric, K);
   Vector bits;
   multiplyAbsolute(K, x, bits);
   bits *= std::numeric_limits<double>::epsilon();

@@ -41,6 +41,7 @@ class RestSearch {
   bool fromStart(long long mostFactorisations);
   bool fromForceDensities();
   bool fromSofter();
+  bool keep(std::unique_ptr<TensionForm> form);
   std::unique_ptr<ModelSystem> softened(double EA) const;
   std::unique_ptr<TensionForm> stiffened(const ModelSystem& system, const TensionForm& from);
   StaticOptions searchOptions(long long mostFactorisations) const;
@@ -227,23 +228,27 @@ bool RestSearch::fromSofter() {
   form->place(down.state.x);
   form->solve(polishing, false);
   result_.work += form->work();
-  std::unique_ptr<TensionForm> next = stiffened(system_, *form);
-  while (!next) {
+  if (auto direct = stiffened(system_, *form)) return keep(std::move(direct));
+  for (;;) {
     EA *= 10.0;
     std::unique_ptr<ModelSystem> stiffer = softened(EA);
-    next = stiffened(stiffer ? *stiffer : system_, *form);
+    auto next = stiffened(stiffer ? *stiffer : system_, *form);
     if (!next) return false;
-    if (!stiffer) break;
+    if (!stiffer) return keep(std::move(next));
     form = std::move(next);
     soft = std::move(stiffer);
   }
-  take(*next, next->imbalance());
-  form_ = std::move(next);
+}
+
+/// Takes a balanced shape as the one that was found.
+bool RestSearch::keep(std::unique_ptr<TensionForm> form) {
+  take(*form, form->imbalance());
+  form_ = std::move(form);
   return true;
 }
 
-/// A search that is ended where no node that is held can be, ten times over [m]: the size of the scene, all springs in
-/// a row, and what the loads make of the softest.
+/// A search that ends where no node that is held can be, ten times over: the size of the scene, all springs in a row,
+/// and what the loads make of the softest.
 StaticOptions RestSearch::searchOptions(long long mostFactorisations) const {
   StaticOptions options;
   options.judge = false;

@@ -26,6 +26,8 @@ constexpr double kept = 10.0;
 constexpr double stiff = 10.0;
 /// A shift of the matrix that holds back free motions, over its largest entry.
 constexpr double slight = 1e-9;
+/// A balance that round-off spoils more than this, of the largest force, is none.
+constexpr double trusted = 1e-6;
 /// Strains below are round-off of the positions: there are no tensions to be solved for.
 constexpr double leastStrain = 1e-14;
 /// Each is one linear system; eight bring a chain five times as long as its span to 1e-5 of its length.
@@ -252,7 +254,8 @@ void TensionForm::Parts::layOut() {
   int next = 0;
   for (Eigen::Index i = 0; i < nodes; ++i) {
     const int node = order.indices()[i];
-    for (int c = 0; c < dimension; ++c) rowOf[static_cast<std::size_t>(dimension * node + c)] = next++;
+    const int first = dimension * node;
+    for (int c = 0; c < dimension; ++c) rowOf[static_cast<std::size_t>(first + c)] = next++;
     for (Line* line : touching[static_cast<std::size_t>(node)]) {
       if (line->row < 0) line->row = next++;
     }
@@ -381,6 +384,13 @@ Imbalance TensionForm::Parts::imbalance() const {
     if (!(error <= 16.0 * eps * (line.L + line.L0))) result.atRoundOff = false;
     sumLength += error * error;
   }
+  // Where round-off is as large as the forces themselves, as beside a singular place, nothing balances.
+  double forces = load, stiffest = 0.0;
+  for (const Line& line : lines) {
+    forces = std::max(forces, std::abs(line.tension()));
+    stiffest = std::max(stiffest, line.k * line.L);
+  }
+  if (!(result.force <= trusted * forces + 64.0 * eps * stiffest)) result.atRoundOff = false;
   if (mixed == 0) result.length = -1.0;
   const double unit = load > 0.0 ? load / static_cast<double>(std::max<Eigen::Index>(nodes, 1)) : 1.0;
   result.merit = std::sqrt(sumForce / static_cast<double>(std::max<Eigen::Index>(nodes, 1))) / unit +

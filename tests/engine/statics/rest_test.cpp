@@ -87,6 +87,10 @@ TEST(Rest, CoincidentNodesAreACuspWhateverPullsOnThem) {
   EXPECT_EQ(restOf(model).nodes, std::vector<int>{1});
   model.gravity.setZero();
   EXPECT_EQ(restOf(model).verdict, Verdict::Cusp);
+  model.nodes[1].x[1] = 1e-15;  // where the direction is round-off
+  EXPECT_EQ(restOf(model).verdict, Verdict::Cusp);
+  model.nodes[1].x[1] = 1e-5;
+  EXPECT_NE(restOf(model).verdict, Verdict::Cusp);
   // Two free ones beside a chain that is all right.
   model.nodes = {fixed(Vec3::Zero()), free({0.0, 0.0, -1.0}), free({0.0, 0.0, -1.0})};
   model.springs = {joined(0, 1, 100.0, 1.0), joined(1, 2, 100.0, 0.5)};
