@@ -85,13 +85,12 @@ const std::vector<KnownSurprise>& knownSurprises() {
        "its steps on a uniform rotation are all alike, and its local error there is one of phase; on the oscillator, "
        "from "
        "which the forecast is taken, the steps vary and the amplitude feels it"},
-      {"H20 26.6", "dop853",
-       "held at its limit of stability the ground's mode keeps an error of the tolerance's size; the node is pressed "
-       "in "
-       "and balanced, and nothing excites it"},
-      {"H21", "dop853",
-       "held at its limit of stability the oscillator keeps an error of the tolerance's size; in the contact the node "
-       "creeps, and there is nothing left to excite it"}};
+      {"H20 26.6", "rkc2",
+       "the forecast holds the ground's mode at its limit of stability; the node is pressed in and balanced, nothing "
+       "excites it, and the steps grow"},
+      {"H20 26.6", "tr_bdf2",
+       "the forecast resolves the ground's mode to the end; the node is pressed in and balanced, and there is nothing "
+       "of it to resolve"}};
   return known;
 }
 

@@ -105,11 +105,17 @@ double distance(const MethodInfo& method, const Variant& variant, const Mode& mo
   // An error of phase lies along the motion but for the part by which modes turn unalike: within sqrt(any / along) of
   // the geometric mean.
   const double between = std::sqrt(growth.any * growth.along);
-  if (forecast.amplitude == 0.0 && forecast.phase == 0.0) return forecast.error * between * mode.sensitivity;
+  // An implicit step solves its equations to a part of the forces, where they are not linear; step by step that adds
+  // up.
+  const double newton = engine::Tolerance{}.newton;
+  const double solved = method.implicit && !variant.linear ? newton * forecast.steps * forecast.exactSize : 0.0;
+  if (forecast.amplitude == 0.0 && forecast.phase == 0.0) {
+    return (forecast.error * between + solved * growth.any) * mode.sensitivity;
+  }
   const double amplitude = forecast.exactSize * std::abs(forecast.amplitude);
   const double phase = forecast.exactSize * std::abs(forecast.phase);
   const double passing = std::max(0.0, forecast.error - std::hypot(amplitude, phase));
-  const double off = amplitude * growth.any + phase * between + passing * growth.along;
+  const double off = amplitude * growth.any + phase * between + passing * growth.along + solved * growth.any;
   // Two motions of one size are no further apart than that.
   return std::min(off, variant.extent * std::max(1.0, forecast.size / forecast.exactSize)) * mode.sensitivity;
 }
