@@ -105,10 +105,11 @@ double distance(const MethodInfo& method, const Variant& variant, const Mode& mo
   // An error of phase lies along the motion but for the part by which modes turn unalike: within sqrt(any / along) of
   // the geometric mean.
   const double between = std::sqrt(growth.any * growth.along);
-  // An implicit step solves its equations to a part of the forces, where they are not linear; step by step that adds
-  // up.
+  // An implicit step solves its equations, up to five, to a part of the forces where they are not linear: what is left
+  // has no sign, and the steps' add up as a random walk.
   const double newton = engine::Tolerance{}.newton;
-  const double solved = method.implicit && !variant.linear ? newton * forecast.steps * forecast.exactSize : 0.0;
+  const double solved =
+      method.implicit && !variant.linear ? 5.0 * newton * std::sqrt(forecast.steps) * forecast.exactSize : 0.0;
   if (forecast.amplitude == 0.0 && forecast.phase == 0.0) {
     return (forecast.error * between + solved * growth.any) * mode.sensitivity;
   }

@@ -43,7 +43,8 @@ EnergyBalance energyBalance(const engine::Scene& scene, const SceneRun& run);
 
 /// Beyond this share of an energy that should be kept a run's loss says that it is of another motion.
 inline constexpr double mostLoss = 0.1;
-/// The part of the energy scale that `finest` has lost for good, over its last third, where all of it should be kept; 0 elsewhere.
+/// The part of the energy scale that `finest` has lost for good, over its last third, where all of it should be kept; 0
+/// elsewhere.
 double lostEnergy(const engine::ModelSystem& system, const engine::RunResult& finest);
 
 }  // namespace muelle::lab

@@ -44,8 +44,8 @@ inline double lostIn(double sum, double a, double b) {
   return (a - (sum - part)) + (b - part);
 }
 
-/// An estimated error over what is allowed, where the value itself is rounded: what rounding alone makes of an estimate,
-/// a few units in the last place of the value, is no error of the method.
+/// An estimated error over what is allowed, where the value itself is rounded: what rounding alone makes of an
+/// estimate, a few units in the last place of the value, is no error of the method.
 inline double errorRatio(double estimate, double from, double to, double allowed) {
   constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
   return std::abs(estimate) / (allowed + rounding * std::max(std::abs(from), std::abs(to)));
