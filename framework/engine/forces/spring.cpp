@@ -44,6 +44,7 @@ double* Spring<D>::internal(std::size_t i, double* z) const {
 
 template <int D>
 double Spring<D>::sign(std::size_t i, const Vector& d, const double* z) const {
+  if (springs_[i].side != 0.0) return springs_[i].side * d[0] < 0.0 ? -1.0 : 1.0;
   if (kind_ != SpringKind::Crossing) return 1.0;
   return Eigen::Map<const Vector>(internal(i, z)).dot(d) < 0.0 ? -1.0 : 1.0;
 }
@@ -65,6 +66,7 @@ auto Spring<D>::elasticForce(std::size_t i, const Vector& d, const double* z) co
   const SpringElement& s = springs_[i];
   const double L = length<D>(d);
   if (L == 0.0) {
+    if (D == 1 && s.side != 0.0) return Vector::Constant(s.k * s.L0 * s.side);
     // A frozen spring of 1D goes through zero length smoothly: its force there is that of its own side.
     if (D == 1 && kind_ == SpringKind::Crossing) return s.k * s.L0 * Eigen::Map<const Vector>(internal(i, z));
     return Vector::Zero();
@@ -138,6 +140,8 @@ void Spring<D>::addDiscreteGradientForce(const Configuration& a, const Configura
       const bool isQuotient = actsA != actsB && std::abs(La - Lb) > 1e-12 * (La + Lb);
       const double slope = isQuotient ? (ea * ea - eb * eb) / (La - Lb) : ea + eb;
       if (La + Lb > 0.0) F = -0.5 * s.k * slope * ((da + db) / (La + Lb));
+    } else if (D == 1 && s.side != 0.0) {
+      F[0] = -s.k * (0.5 * (da[0] + db[0]) - s.side * s.L0);
     } else if (D == 1 && kind_ == SpringKind::Crossing && *internal(i, a.z) != 0.0) {
       F[0] = -s.k * (0.5 * (da[0] + db[0]) - *internal(i, a.z) * s.L0);
     } else {
@@ -312,7 +316,12 @@ bool Spring<D>::commit(const Configuration& at, bool frozen, double* z) const {
 template <int D>
 std::string Spring<D>::eventName(int guard, const double* z) const {
   const auto i = static_cast<std::size_t>(guard);
-  if (kind_ != SpringKind::Unilateral) return guardName(guard);
+  if (kind_ == SpringKind::Crossing) {
+    // In 1D there is no way around the anchor, and a textbook's spring would go on as it was.
+    const char* then =
+        D == 1 && springs_[i].L0 > 0.0 ? " and pushes to the other side (signed = true: it does not)" : "";
+    return guardName(guard) + then;
+  }
   const bool closed = *internal(i, z) == mode::closed;
   return fmt::format("spring {} {} at its rest length", springs_[i].userIndex, closed ? "begins to push" : "lets go");
 }

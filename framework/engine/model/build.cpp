@@ -87,6 +87,12 @@ void addGravity(Builder& builder) {
   builder.batches.push_back(std::make_unique<Gravity>(std::move(weight)));
 }
 
+/// The sign of xa - xb at the start.
+double sideOf(const Model& model, const ModelSpring& spring) {
+  const auto at = [&model](int node) { return model.nodes[static_cast<std::size_t>(node)].x[0]; };
+  return at(spring.a) < at(spring.b) ? -1.0 : 1.0;
+}
+
 template <int D>
 void addSprings(Builder& builder) {
   std::vector<SpringElement> plain, crossing, unilateral;
@@ -94,9 +100,10 @@ void addSprings(Builder& builder) {
     const ModelSpring& s = builder.model.springs[i];
     if (s.rod || !builder.anyFree({s.a, s.b})) continue;
     // Without a rest length nothing happens at zero length.
-    auto& kind = s.unilateral ? unilateral : s.L0 > 0.0 && (D == 1 || builder.model.springsCross) ? crossing : plain;
+    const bool crosses = s.L0 > 0.0 && !s.isSigned && (D == 1 || builder.model.springsCross);
+    auto& kind = s.unilateral ? unilateral : crosses ? crossing : plain;
     kind.push_back({builder.built(s.a), builder.built(s.b), s.k, s.L0, s.dRelative, projectedDamping(builder.model, s),
-                    static_cast<int>(i)});
+                    static_cast<int>(i), s.isSigned ? sideOf(builder.model, s) : 0.0});
   }
   for (const auto& [springs, kind] : {std::pair(&plain, SpringKind::Plain), std::pair(&crossing, SpringKind::Crossing),
                                       std::pair(&unilateral, SpringKind::Unilateral)}) {

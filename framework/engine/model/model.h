@@ -42,6 +42,9 @@ struct ModelSpring {
   double dProjected = 0.0;  ///< [kg/s]
   bool unilateral = false;  ///< acts only when shorter than L0 (a contact between nodes, "rest gap")
   bool rod = false;         ///< of the constant length L0 ("k infinite"): k does not count. See checkRods()
+  /// 1D only: its length is signed, xb - xa from the side on which it starts, so that it goes through its anchor as a
+  /// textbook's spring does (F_a = k ((xb - xa) - L0) where b starts above a) in place of pushing to the other side.
+  bool isSigned = false;
   double dampingRatio = 0;  ///< above 0 in place of dProjected, which then is 0: see projectedDamping()
 };
 

@@ -125,6 +125,15 @@ void checkNodes(const Model& model) {
   }
 }
 
+void checkSigned(const Model& model, const std::string& item, const ModelSpring& spring) {
+  if (model.dimension != 1) reject(item, "is signed; only a 1D scene has sides");
+  if (spring.unilateral || spring.rod) reject(item, "is signed; a one-sided spring or a rod has no other side");
+  const auto at = [&model](int node) { return model.nodes[static_cast<std::size_t>(node)].x[0]; };
+  if (at(spring.a) == at(spring.b) && spring.L0 > 0.0) {
+    reject(item, "is signed and its nodes start in one place, so that it has no side yet; move one of them");
+  }
+}
+
 void checkSprings(const Model& model) {
   std::vector<std::array<int, 3>> ends;
   for (std::size_t i = 0; i < model.springs.size(); ++i) {
@@ -140,6 +149,7 @@ void checkSprings(const Model& model) {
     if (spring.dampingRatio > 0.0 && spring.dProjected > 0.0) {
       reject(item, "has a damping ratio and a projected damping; give one of them");
     }
+    if (spring.isSigned) checkSigned(model, item, spring);
     ends.push_back({std::min(spring.a, spring.b), std::max(spring.a, spring.b), static_cast<int>(i)});
   }
   std::sort(ends.begin(), ends.end());

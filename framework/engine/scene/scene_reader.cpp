@@ -86,7 +86,7 @@ void requireMass(const TableReader& table, const ModelNode& node) {
 }
 
 void readSpring(const TableReader& table, Model& model) {
-  table.checkKeys({"nodes", "k", "L0", "relative_damping", "projected_damping", "damping_ratio", "unilateral", "rod"},
+  table.checkKeys({"nodes", "k", "L0", "relative_damping", "projected_damping", "damping_ratio", "unilateral", "signed", "rod"},
                   {"nodes"});
   const std::vector<int> nodes = readNodes(table, model, 2);
   ModelSpring spring;
@@ -99,6 +99,8 @@ void readSpring(const TableReader& table, Model& model) {
   spring.dRelative = table.notNegative("relative_damping", 0.0);
   spring.dProjected = table.notNegative("projected_damping", 0.0);
   spring.unilateral = table.flag("unilateral", false);
+  spring.isSigned = table.flag("signed", false);
+  if (spring.isSigned && model.dimension != 1) table.fail("signed", "only a scene of dimension 1 has sides");
   table.oneKeyOf({"damping_ratio", "projected_damping"}, false);
   spring.dampingRatio = table.notNegative("damping_ratio", 0.0);
   model.springs.push_back(spring);

@@ -6,10 +6,12 @@
 #include "engine/statics/support.h"
 #include "engine/statics/tension_form.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 
 namespace muelle::engine {
 
@@ -26,6 +28,15 @@ bool isNet(const Model& model) {
   const bool pushOnly = std::ranges::any_of(model.springs, [](const ModelSpring& s) { return s.unilateral; });
   return !pushOnly && model.angles.empty() && model.dihedrals.empty() && model.areas.empty() && model.volumes.empty() &&
          model.properties.empty() && model.obstacles.empty();
+}
+
+/// Tensions here are those of lengths, which a signed spring and a rod have not.
+void checkSprings(const Model& model) {
+  for (std::size_t i = 0; i < model.springs.size(); ++i) {
+    const ModelSpring& s = model.springs[i];
+    if (s.rod) throw std::invalid_argument(fmt::format("spring {} is a rod: rest needs a stiffness k in its place", i));
+    if (s.isSigned) throw std::invalid_argument(fmt::format("spring {} is signed: rest knows springs by distance", i));
+  }
 }
 
 class RestSearch {
@@ -396,6 +407,7 @@ RestResult RestSearch::run() {
 }  // namespace
 
 RestResult rest(const ModelSystem& system, const RestOptions& options) {
+  checkSprings(system.model());
   const auto rubs = [](const Obstacle& obstacle) { return obstacle.material.mu > 0.0; };
   if (std::ranges::none_of(system.model().obstacles, rubs)) return RestSearch(system, options).run();
   Model smooth = system.model();

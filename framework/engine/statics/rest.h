@@ -65,6 +65,8 @@ struct RestResult {
 /// energy by 0 where it would push gives a convex function that nowhere exceeds the energy and equals it there.
 ///
 /// Friction and damping have no part in it: obstacles are smooth.
+///
+/// Throws std::invalid_argument for a model with a rod or a signed spring, and names it.
 RestResult rest(const ModelSystem& system, const RestOptions& options = {});
 
 }  // namespace muelle::engine

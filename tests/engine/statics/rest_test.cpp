@@ -40,6 +40,18 @@ Model pendulum(double k, const Vec3& bob) {
 
 RestResult restOf(const Model& model, const RestOptions& options = {}) { return rest(*build(model), options); }
 
+TEST(Rest, RefusesSpringsWhoseTensionIsNotThatOfALength) {
+  Model rod = pendulum(0.0, Vec3(0.0, 0.0, -1.0));
+  rod.springs[0].rod = true;
+  EXPECT_THROW(rest(*build(rod)), std::invalid_argument);
+  Model line;
+  line.dimension = 1;
+  line.nodes = {fixed(Vec3::Zero()), free(Vec3(1.0, 0.0, 0.0))};
+  line.springs = {joined(0, 1, 10.0, 1.0)};
+  line.springs[0].isSigned = true;
+  EXPECT_THROW(rest(*build(line)), std::invalid_argument);
+}
+
 /// Standing, the spring is shortened by mg/k and pushes with mg; sideways the bob gains energy at mg / (L0 - mg/k).
 TEST(Rest, ThePendulumStandsOnASaddleUpsideDown) {
   for (const double k : {100.0, 1e6, 1e12}) {
