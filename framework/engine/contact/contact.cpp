@@ -64,6 +64,18 @@ double Contact<D, Shape>::normalForce(const Meeting& m, double mode) const {
   return mode == mode::live ? std::max(0.0, m.N) : m.N;
 }
 
+/// The slider as it is; for a frozen slip one without a spring whose damper is that strong that it slips at any speed.
+template <int D, class Shape>
+Slider<D> Contact<D, Shape>::sliderOf(const Meeting& m, const double* mine, double N) const {
+  const Vector& n = m.touch.normal;
+  const Vector along = m.w - n * n.dot(m.w);
+  const double speed = along.norm();
+  if (mine[0] != mode::closed || mine[gripAt] != slips || speed == 0.0) return obstacle_.slider;
+  const Vector xi = m.r - Eigen::Map<const Vector>(mine + anchorAt);
+  const double limit = obstacle_.slider.mu * std::fmax(N, 0.0);
+  return {obstacle_.slider.mu, 0.0, (along.dot(xi) < 0.0 ? -2.0 : 2.0) * limit / speed};
+}
+
 template <int D, class Shape>
 void Contact<D, Shape>::addForce(const Configuration& at, double* f) const {
   for (int i = 0; i < nodes(); ++i) {
@@ -75,7 +87,7 @@ void Contact<D, Shape>::addForce(const Configuration& at, double* f) const {
     sum += N * m.touch.normal;
     if (!hasFriction()) continue;
     const Vector xi = m.r - Eigen::Map<const Vector>(mine + anchorAt);
-    sum += obstacle_.slider.grip(xi, m.w, m.touch.normal, N).force;
+    sum += sliderOf(m, mine, N).grip(xi, m.w, m.touch.normal, N).force;
   }
 }
 
@@ -159,9 +171,10 @@ void Contact<D, Shape>::addDerivatives(const Configuration& at, double cD, doubl
     }
     if (hasFriction()) {
       const Vector xi = m.r - Eigen::Map<const Vector>(mine + anchorAt);
-      const auto grip = obstacle_.slider.grip(xi, m.w, n, N);
+      const Slider<D> slider = sliderOf(m, mine, N);
+      const auto grip = slider.grip(xi, m.w, n, N);
       if (!(N > 0.0)) dNdx.setZero(), dNdv.setZero();
-      obstacle_.slider.addDerivatives(grip, xi, m.w, m.touch, dNdx, dNdv, form == Form::Exact, K, damping);
+      slider.addDerivatives(grip, xi, m.w, m.touch, dNdx, dNdv, form == Form::Exact, K, damping);
     }
     addBlock<D>(values, slots_[static_cast<std::size_t>(i)], 1.0, cK * K + cD * damping);
   }
@@ -282,7 +295,7 @@ void Contact<D, Shape>::commitFriction(int node, const Meeting& m, double* mine)
   const Vector along = m.w - n * n.dot(m.w);
   if (mine[gripAt] == apart) return beginFriction(node, m, along, N, mine);
   const Vector xi = m.r - anchor;
-  const auto grip = obstacle_.slider.grip(xi, m.w, n, N);
+  const auto grip = sliderOf(m, mine, N).grip(xi, m.w, n, N);
   const bool turnedBack = mine[gripAt] == slips && along.dot(xi) <= 0.0;
   if (turnedBack) {
     mine[gripAt] = sticks;

@@ -35,8 +35,12 @@ struct ObstacleData {
 /// same is done for a node that is at rest in contact at the start. One that slides at the start, with more kinetic
 /// energy than the slider can store, slips from the start.
 ///
-/// The anchor stays within a step, so a step that passes over the moment of rest is pulled back along the way it slid:
-/// locate events, or take steps in which a node slides little.
+/// A frozen slip has the direction of the velocity, Coulomb's: the anchor, which moves between steps alone, has no part
+/// in it, so that the slip is as smooth as the motion and keeps the order of the method. (Through a halt the direction
+/// goes on as it was: the halt is an event.) The anchor follows for the time when the node sticks again.
+///
+/// Live, the anchor stays within a step, so a step that passes over the moment of rest is pulled back along the way it
+/// slid: locate events, or take steps in which a node slides little.
 ///
 /// Hessian: k n n^T + k (-depth curvature) P inside a ball (negative: left out of Form::Projected).
 /// Internal variables: the obstacle's phase; then of each node the mode, the face for a box, with friction the grip
@@ -112,6 +116,7 @@ class Contact final : public ForceBatch {
   Vector relativePosition(int node, const Configuration& at) const;
   Meeting meet(int node, const Configuration& at) const;
   double normalForce(const Meeting& m, double mode) const;
+  Slider<D> sliderOf(const Meeting& m, const double* mine, double N) const;
   double guard(const Meeting& m) const;
   double modeAfter(double old, const Meeting& m) const;
   void beginFriction(int node, const Meeting& m, const Vector& along, double N, double* mine) const;

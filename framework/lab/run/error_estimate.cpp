@@ -22,6 +22,10 @@ constexpr double slowestApproach = 1.6;
 /// accident.
 constexpr double surelySmall = 0.05;
 
+/// Differences that do not shrink and are smaller than this, in parts of the motion, are rounding, as stiff springs and
+/// contacts amplify it.
+constexpr double surelyRounding = 1e-10;
+
 /// The larger of both parts of the motion: by it the approach of the runs is judged. What rounds by `floor` [m] is not
 /// told from 0.
 struct Scale {
@@ -233,6 +237,11 @@ class Estimator {
         const bool coherent = approach.ratio >= slowestApproach && approach.distance > 0.0 && approach.distance < 0.3;
         const double factor = coherent ? 1.0 + approach.rest() / approach.distance : 1.0;
         return settle(finest, scale, difference, factor, howRefined(fixed_, n));
+      }
+      if (n == most && approach.distance < surelyRounding) {
+        ErrorEstimate estimate = settle(finest, scale, difference, 1.0, howRefined(fixed_, n));
+        estimate.atRounding = true;
+        return estimate;
       }
       before = std::move(finest);
     }
