@@ -255,7 +255,7 @@ void TensionForm::Parts::layOut() {
   for (Eigen::Index i = 0; i < nodes; ++i) {
     const int node = order.indices()[i];
     const int first = dimension * node;
-    for (int c = 0; c < dimension; ++c) rowOf[static_cast<std::size_t>(first + c)] = next++;
+    for (int c = 0; c < dimension; ++c) rowOf[static_cast<std::size_t>(first) + static_cast<std::size_t>(c)] = next++;
     for (Line* line : touching[static_cast<std::size_t>(node)]) {
       if (line->row < 0) line->row = next++;
     }

@@ -2,6 +2,7 @@
 #include "lab/hard_cases/references.h"
 #include "lab/hard_cases/variant.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -304,9 +305,8 @@ Variant h16(double k, const std::string& name, const std::string& prefix, const 
   v.error = [prefix](const Finished& end) {
     double largest = 0.0;
     for (const int node : {44, 99}) {
-      const std::string n = std::to_string(node);
-      largest =
-          std::max(largest, (end.x(node) - place("H16", prefix + "x" + n, prefix + "y" + n, prefix + "z" + n)).norm());
+      const auto named = [&](const char* axis) { return fmt::format("{}{}{}", prefix, axis, node); };
+      largest = std::max(largest, (end.x(node) - place("H16", named("x"), named("y"), named("z"))).norm());
     }
     return largest;
   };

@@ -2,6 +2,7 @@
 #include "engine/model/damping.h"
 #include "support/scene_text.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <cmath>
 #include <numbers>

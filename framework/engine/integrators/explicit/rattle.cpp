@@ -57,8 +57,8 @@ std::array<double, 3> offset(const Rod& rod, int dimension, In x) {
   std::array<double, 3> d{};
   for (int c = 0; c < dimension; ++c) {
     const auto i = static_cast<std::size_t>(c);
-    d[i] = (rod.a >= 0 ? x[static_cast<std::size_t>(rod.a + c)] : rod.held[i]) -
-           (rod.b >= 0 ? x[static_cast<std::size_t>(rod.b + c)] : rod.held[i]);
+    d[i] = (rod.a >= 0 ? x[static_cast<std::size_t>(rod.a) + i] : rod.held[i]) -
+           (rod.b >= 0 ? x[static_cast<std::size_t>(rod.b) + i] : rod.held[i]);
   }
   return d;
 }
