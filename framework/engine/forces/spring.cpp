@@ -33,13 +33,19 @@ auto Spring<D>::difference(const SpringElement& s, const double* values) -> Vect
 }
 
 template <int D>
+std::size_t Spring<D>::valuesEach() const {
+  if (kind_ == SpringKind::Crossing) return D;
+  return 1;
+}
+
+template <int D>
 const double* Spring<D>::internal(std::size_t i, const double* z) const {
-  return z + zOffset_ + i * (kind_ == SpringKind::Crossing ? D : 1);
+  return z + zOffset_ + i * valuesEach();
 }
 
 template <int D>
 double* Spring<D>::internal(std::size_t i, double* z) const {
-  return z + zOffset_ + i * (kind_ == SpringKind::Crossing ? D : 1);
+  return z + zOffset_ + i * valuesEach();
 }
 
 template <int D>
@@ -247,7 +253,7 @@ void Spring<D>::addExternalForce(const Configuration& at, double* f) const {
 template <int D>
 int Spring<D>::internalSize() const {
   if (kind_ == SpringKind::Plain) return 0;
-  return static_cast<int>(springs_.size()) * (kind_ == SpringKind::Crossing ? D : 1);
+  return static_cast<int>(springs_.size() * valuesEach());
 }
 
 template <int D>

@@ -80,6 +80,7 @@ class Spring final : public ForceBatch {
   using Block = Eigen::Matrix<double, D, D>;
 
   static Vector difference(const SpringElement& s, const double* values);
+  std::size_t valuesEach() const;  // internal variables of a spring that has any
   const double* internal(std::size_t i, const double* z) const;
   double* internal(std::size_t i, double* z) const;
   double sign(std::size_t i, const Vector& d, const double* z) const;
