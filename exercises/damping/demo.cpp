@@ -48,7 +48,7 @@ muelle::Trajectory letGo(const Damper& damper) {
   options.duration = 6.0;
   options.outputEvery = 3;
   options.probes = {{"falling speed", "m/s", [](const State& s) { return -(s.v[2] + s.v[5]) / 2; }},
-                    {"angular momentum", "kg m^2/s", spin},
+                    {"angular momentum", "kg m²/s", spin},
                     {"length", "m", [](const State& s) { return difference(s.x).norm(); }}};
   return simulate(system, method, start, options);
 }
@@ -84,7 +84,7 @@ MUELLE_DEMO {
                                                           }));
   // Equal nodes have the reduced mass m / 2.
   const double start = 1.2 * m;
-  panel("angular momentum [kg m^2/s]", "angular momentum")
+  panel("angular momentum [kg m²/s]", "angular momentum")
       .reference("rate d / m", node.t, at(node.t, [=](double t) { return start * std::exp(-t * d / m); }))
       .reference("rate d / mu", node.t, at(node.t, [=](double t) { return start * std::exp(-t * d / (m / 2)); }));
   panel("length [m]", "length");

@@ -63,7 +63,7 @@ muelle::Figure momenta(const muelle::Trajectory& run) {
   const char* names[] = {"x", "y", "z"};
   auto linear = figure.panel("linear [kg m/s]");
   for (std::size_t axis = 0; axis < 3; ++axis) linear.line(names[axis], run.t, momentum(run, false, axis));
-  auto angular = figure.panel("angular [kg m^2/s]");
+  auto angular = figure.panel("angular [kg m²/s]");
   for (std::size_t axis = 0; axis < 3; ++axis) angular.line(names[axis], run.t, momentum(run, true, axis));
   return figure;
 }

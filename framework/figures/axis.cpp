@@ -42,12 +42,19 @@ double ticStep(const AxisRange& range, double length, double pitch) {
   return 10.0 * power;
 }
 
+bool needsShortNumbers(const AxisRange& range) {
+  constexpr double largest = 1e7, smallest = 1e-4;
+  return std::max(std::abs(range.low), std::abs(range.high)) >= largest || range.span() < smallest;
+}
+
 std::size_t widestNumber(const AxisRange& range, double step) {
   std::size_t widest = 1;
   constexpr int most = 100;  // numbers on an axis, for ranges without any sense
   const double first = std::ceil(range.low / step);
   for (int i = 0; i < most && (first + i) * step <= range.high; ++i) {
-    widest = std::max(widest, fmt::format("{:.10g}", (first + i) * step).size());
+    const double number = (first + i) * step;
+    widest = std::max(widest, needsShortNumbers(range) ? fmt::format("{:.4g}", number).size()
+                                                       : fmt::format("{:.10g}", number).size());
   }
   return widest;
 }

@@ -36,6 +36,10 @@ class AxisFitter {
 /// `pitch` between them where the axis is `length` long.
 double ticStep(const AxisRange& range, double length, double pitch);
 
+/// Whether the numbers of the range are too long for an axis when they are written out: many digits before the point,
+/// or behind it.
+bool needsShortNumbers(const AxisRange& range);
+
 /// How many characters the longest of the multiples of `step` in the range has.
 std::size_t widestNumber(const AxisRange& range, double step);
 

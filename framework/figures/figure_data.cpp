@@ -10,6 +10,7 @@
 namespace muelle::figures {
 
 std::string Curve::nameInKey() const {
+  if (!leaves.empty()) return series->name.empty() ? leaves : series->name + " (" + leaves + ")";
   return block >= 0 || series->name.empty() ? series->name : series->name + " (no data)";
 }
 
@@ -22,7 +23,8 @@ namespace {
 std::vector<const Series*> inKeyOrder(const Panel& panel) {
   std::vector<const Series*> order;
   for (const Series& series : panel.series) order.push_back(&series);
-  std::stable_partition(order.begin(), order.end(), [](const Series* s) { return s->pen != Pen::Reference; });
+  std::stable_partition(order.begin(), order.end(),
+                        [](const Series* s) { return s->pen != Pen::Reference && s->pen != Pen::Structure; });
   return order;
 }
 
@@ -31,6 +33,22 @@ bool isDrawnAsPoints(Pen pen, const std::string& lines) {
   // A line through one point would not be seen.
   const bool isOnePoint = std::count(lines.begin(), lines.end(), '\n') == 1;
   return isOnePoint && (pen == Pen::Line || pen == Pen::Reference);
+}
+
+/// What is said of a curve that goes beyond what its panel shows; empty when it does not. A label "time [s]" makes it
+/// "leaves the picture at t = 0.2 s"; along a path there is no time to name.
+std::string leavingWords(const Series& series, const Figure& figure, const Panel& panel) {
+  if (series.pen == Pen::Reference) return "";
+  const std::optional<std::size_t> exit = exitOf(series, figure, panel);
+  if (!exit) return "";
+  if (figure.hasEqualAxes()) return "leaves the picture";
+  const std::string& label = xLabelOf(figure, panel);
+  const std::size_t unit = std::min(label.find(" ["), label.size());
+  std::string quantity = label.substr(0, unit);
+  if (quantity == "time") quantity = "t";
+  std::string words = fmt::format("leaves the picture at {} = {:.3g}", quantity, series.x[*exit]);
+  if (label.size() > unit + 3) words += ' ' + label.substr(unit + 2, label.size() - unit - 3);
+  return words;
 }
 
 class DataWriter {
@@ -56,15 +74,18 @@ class DataWriter {
         series.pen == Pen::Arrows ? arrowBlock(series) : dataBlock(series, hasLogX(figure_, panel), panel.logY);
     const int style = styleOf(series, next);
     const int mark = series.pen == Pen::Cells ? style + cellStyle : style;
+    const std::string leaves = leavingWords(series, figure_, panel);
     const std::string name = fmt::format("{}; columns: {}, {}", series.name, xLabelOf(figure_, panel), panel.yLabel);
-    return {&series, lines.empty() ? -1 : addBlock(name, lines), isDrawnAsPoints(series.pen, lines), style, mark};
+    const int block = lines.empty() ? -1 : addBlock(name, lines);
+    return {&series, block, isDrawnAsPoints(series.pen, lines), style, mark, leaves};
   }
 
   int styleOf(const Series& series, int& next) {
     if (series.pen == Pen::Reference) return referenceStyle;
+    if (series.pen == Pen::Structure) return structureStyle;
     const int position = series.colour >= 0 ? series.colour : next++;
     data_.styleCount = std::max(data_.styleCount, std::min(position + 1, mostLineStyles));
-    return 1 + position % mostLineStyles;
+    return 1 + position % mostLineStyles + (series.pen == Pen::Mesh ? meshStyle : 0);
   }
 
   /// The index of the block.

@@ -9,12 +9,13 @@ namespace muelle::figures {
 /// A curve as gnuplot knows it.
 struct Curve {
   const Series* series;
-  int block;      ///< index in the data file; -1: no point to draw
-  bool asPoints;  ///< markers in place of a line
-  int style;      ///< number of the line style
-  int markStyle;  ///< of the mark in the key: a square for cells
+  int block;                ///< index in the data file; -1: no point to draw
+  bool asPoints;            ///< markers in place of a line
+  int style;                ///< number of the line style
+  int markStyle;            ///< of the mark in the key: a square for cells
+  std::string leaves = {};  ///< "leaves the picture at t = 0.2 s"; empty: it does not
 
-  /// With a word where nothing is drawn; empty: not in the key.
+  /// With a word where nothing is drawn or where it ends too early; empty: not in the key.
   std::string nameInKey() const;
 };
 

@@ -7,7 +7,7 @@
 namespace muelle::figures {
 
 inline constexpr double canvasWidth = 960;
-inline constexpr double plotLeft = 112;  ///< room for the numbers on the y axis
+inline constexpr double plotLeft = 112;  ///< room for the numbers on the y axis, at least in stacked panels
 inline constexpr double plotRight = 926;
 inline constexpr double labelIndent = 88;  ///< the y label begins so far left of the plot, above the numbers
 inline constexpr double titleHeight = 50;

@@ -11,10 +11,16 @@ namespace {
 constexpr const char* arrowHead = "head size screen 0.012,20 filled";
 constexpr const char* powersOfTen = "10^{%T}";
 constexpr const char* plainNumbers = "%.10g";
+constexpr const char* shortNumbers = "%.4g";
 
 const char* setOrUnset(bool set) { return set ? "set" : "unset"; }
 
-const char* numbersOf(bool logarithmic) { return logarithmic ? powersOfTen : plainNumbers; }
+const char* numbersOf(bool logarithmic, const AxisRange& range) {
+  if (logarithmic) return powersOfTen;
+  return needsShortNumbers(range) ? shortNumbers : plainNumbers;
+}
+
+bool isUnderneath(Pen pen) { return pen == Pen::Reference || pen == Pen::Structure; }
 
 std::string mannerOf(const Curve& curve) {
   if (curve.series->pen == Pen::Arrows) {
@@ -56,12 +62,12 @@ class PanelScript {
     script_.put("set lmargin at screen {}; set rmargin at screen {}", script_.x(plot.left), script_.x(plot.right));
     script_.put("set tmargin at screen {}; set bmargin at screen {}", script_.y(plot.top), script_.y(plot.bottom));
     // Before the range, which the axis of the panel before may not be able to have.
-    script_.put("{} logscale y; set format y '{}'", setOrUnset(panel_.logY), numbersOf(panel_.logY));
+    script_.put("{} logscale y; set format y '{}'", setOrUnset(panel_.logY), numbersOf(panel_.logY, place_.y));
     const bool logX = hasLogX(figure_, panel_);
     if (figure_.isSlide()) script_.put("{} logscale x", setOrUnset(logX));
     script_.put("set xrange [{:.15g}:{:.15g}]", place_.x.low, place_.x.high);
     script_.put("set yrange [{:.15g}:{:.15g}]", place_.y.low, place_.y.high);
-    script_.put("set format x '{}'", hasNumbersBelow_ ? numbersOf(logX) : "");
+    script_.put("set format x '{}'", hasNumbersBelow_ ? numbersOf(logX, place_.x) : "");
   }
 
   /// What only a slide's panel has: numbers or names at a distance of its own, heading, notes, the colours of a field.
@@ -81,7 +87,7 @@ class PanelScript {
     }
     std::string list;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      list += fmt::format("{}{} {}", i == 0 ? "" : ", ", quoted(names[i]), i);
+      list += fmt::format("{}{} {}", i == 0 ? "" : ", ", quotedName(names[i]), i);
     }
     script_.put("set {}tics ({}) {} font ',13' noenhanced", axis, list, turned ? "rotate by 50 right" : "norotate");
   }
@@ -109,7 +115,7 @@ class PanelScript {
   void writeKey() {
     auto place = place_.key.begin();
     for (const Curve& curve : drawn_.curves) {
-      if (!curve.series->name.empty()) writeKeyEntry(curve, *place++);
+      if (!curve.nameInKey().empty()) writeKeyEntry(curve, *place++);
     }
   }
 
@@ -132,10 +138,10 @@ class PanelScript {
   void writeCurves() {
     std::vector<std::string> curves;
     if (drawn_.fieldBlock >= 0) curves.push_back(fromBlock(drawn_.fieldBlock, "using 1:2:3 with image"));
-    for (const bool references : {true, false}) {
+    for (const bool underneath : {true, false}) {
       for (const Curve& curve : drawn_.curves) {
-        const bool isReference = curve.series->pen == Pen::Reference;
-        if (curve.block >= 0 && isReference == references) curves.push_back(fromBlock(curve.block, mannerOf(curve)));
+        const bool belongs = isUnderneath(curve.series->pen) == underneath;
+        if (curve.block >= 0 && belongs) curves.push_back(fromBlock(curve.block, mannerOf(curve)));
       }
     }
     if (curves.empty()) {

@@ -13,8 +13,22 @@ constexpr double marginOfPoints = 0.04;  // markers would stand half outside
 constexpr double marginOfHeights = 0.06;
 
 bool anyPoints(const Panel& panel) {
-  return std::any_of(panel.series.begin(), panel.series.end(),
-                     [](const Series& s) { return s.pen != Pen::Line && s.pen != Pen::Reference; });
+  return std::any_of(panel.series.begin(), panel.series.end(), [](const Series& s) {
+    return s.pen == Pen::Points || s.pen == Pen::LinePoints || s.pen == Pen::Arrows || s.pen == Pen::Cells;
+  });
+}
+
+/// What an axis may show where right answers reach `expected`: three times that.
+std::optional<AxisRange> allowed(const FixedRange& expected, bool logarithmic) {
+  if (!expected || logarithmic) return std::nullopt;
+  const AxisRange range{expected->first, expected->second};
+  return widened(range, 3.0 * range.span());
+}
+
+AxisRange cutTo(const std::optional<AxisRange>& most, AxisRange range) {
+  if (!most) return range;
+  const AxisRange both{std::max(range.low, most->low), std::min(range.high, most->high)};
+  return both.low < both.high ? both : *most;
 }
 
 AxisRange fixedOr(const FixedRange& fixed, AxisRange range) {
@@ -43,7 +57,9 @@ AxisRange sharedX(const Figure& figure) {
     points = points || anyPoints(panel);
     forEachPoint(figure, panel, [&xs](double x, double) { xs.include(x); });
   }
-  return xs.range(points ? marginOfPoints : 0.0);
+  AxisRange range = xs.range(points ? marginOfPoints : 0.0);
+  for (const Panel& panel : figure.panels()) range = cutTo(allowed(panel.xExpected, figure.hasLogX()), range);
+  return range;
 }
 
 PanelRanges ownRanges(const Figure& figure, const Panel& panel) {
@@ -60,11 +76,25 @@ PanelRanges ownRanges(const Figure& figure, const Panel& panel) {
   forEachPoint(figure, panel, include);
   const bool isTable = !panel.yNames.empty() || panel.field.has_value();
   const bool hasMargin = !isTable && (anyPoints(panel) || panel.equalAxes);
-  return {fixedOr(panel.xRange, xs.range(hasMargin ? marginOfPoints : 0.0)),
-          fixedOr(panel.yRange, ys.range(isTable ? 0.0 : marginOfHeights))};
+  const AxisRange x =
+      cutTo(allowed(panel.xExpected, hasLogX(figure, panel)), xs.range(hasMargin ? marginOfPoints : 0.0));
+  const AxisRange y = cutTo(allowed(panel.yExpected, panel.logY), ys.range(isTable ? 0.0 : marginOfHeights));
+  return {fixedOr(panel.xRange, x), fixedOr(panel.yRange, y)};
 }
 
 }  // namespace
+
+std::optional<std::size_t> exitOf(const Series& series, const Figure& figure, const Panel& panel) {
+  const std::optional<AxisRange> x = allowed(panel.xExpected, hasLogX(figure, panel));
+  const std::optional<AxisRange> y = allowed(panel.yExpected, panel.logY);
+  const auto isBeyond = [](const std::optional<AxisRange>& most, double value) {
+    return most && (value < most->low || value > most->high);
+  };
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    if (isBeyond(x, series.x[i]) || isBeyond(y, series.y[i])) return i;
+  }
+  return std::nullopt;
+}
 
 std::vector<PanelRanges> rangesOf(const Figure& figure) {
   std::vector<PanelRanges> ranges;

@@ -27,11 +27,13 @@ const char* wordOf(Side side) {
 }  // namespace
 
 std::string quoted(std::string text) {
-  replaceAll(text, "'", "\u2019");
-  replaceAll(text, "^2", "\u00b2");
-  replaceAll(text, "^3", "\u00b3");
-  replaceAll(text, "->", "\u2192");
+  replaceAll(text, "'", "''");
   return '\'' + text + '\'';
+}
+
+std::string quotedName(std::string text) {
+  replaceAll(text, "%", "%%");
+  return quoted(std::move(text));
 }
 
 void ScriptText::putLabel(const std::string& text, const Label& place, const std::string& fontSize) {

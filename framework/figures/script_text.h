@@ -33,8 +33,10 @@ class ScriptText {
   std::string lines_;
 };
 
-/// A gnuplot string that holds plain text. The apostrophe, the only plain character with a meaning there, becomes the
-/// typographic one; ^2, ^3 and -> become signs.
+/// A gnuplot string that holds the text as it is: between single quotes only these have a meaning.
 std::string quoted(std::string text);
+
+/// The same for a name on an axis, which gnuplot takes for the format of a number: there % has a meaning, too.
+std::string quotedName(std::string text);
 
 }  // namespace muelle::figures

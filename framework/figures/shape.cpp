@@ -1,5 +1,6 @@
 #include "figures/shape.h"
 
+#include "base/text/utf8.h"
 #include "figures/measures.h"
 #include "figures/ranges.h"
 
@@ -9,18 +10,23 @@ namespace muelle::figures {
 
 namespace {
 
+/// Width of a text in characters of a given width.
+double widthOf(std::string_view text, double character = characterWidth) {
+  return textWidth(static_cast<std::size_t>(muelle::columns(text)), character);
+}
+
 std::optional<double> widestOf(const std::vector<std::string>& names) {
   if (names.empty()) return std::nullopt;
-  std::size_t longest = 0;
-  for (const std::string& name : names) longest = std::max(longest, name.size());
-  return textWidth(longest, nameCharacter);
+  double widest = 0;
+  for (const std::string& name : names) widest = std::max(widest, widthOf(name, nameCharacter));
+  return widest;
 }
 
 std::vector<double> keyOf(const PanelCurves& drawn) {
   std::vector<double> widths;
   for (const Curve& curve : drawn.curves) {
-    if (curve.series->name.empty()) continue;
-    widths.push_back(sampleLength + sampleGap + textWidth(curve.nameInKey().size()));
+    const std::string name = curve.nameInKey();
+    if (!name.empty()) widths.push_back(sampleLength + sampleGap + widthOf(name));
   }
   return widths;
 }
@@ -38,10 +44,10 @@ PanelShape shapeOf(const Figure& figure, const Panel& panel, const PanelCurves& 
   shape.x = {ranges.x, hasLogX(figure, panel), widestOf(panel.xNames)};
   shape.y = {ranges.y, panel.logY, widestOf(panel.yNames)};
   shape.equalAxes = figure.hasEqualAxes() || (figure.isSlide() && panel.equalAxes);
-  shape.yLabel = textWidth(panel.yLabel.size());
-  shape.heading = textWidth(panel.heading.size(), headingCharacter);
+  shape.yLabel = widthOf(panel.yLabel);
+  shape.heading = widthOf(panel.heading, headingCharacter);
   shape.key = keyOf(drawn);
-  if (panel.field) shape.colours = textWidth(panel.field->label.size());
+  if (panel.field) shape.colours = widthOf(panel.field->label);
   return shape;
 }
 
@@ -50,12 +56,12 @@ PanelShape shapeOf(const Figure& figure, const Panel& panel, const PanelCurves& 
 FigureShape shapeOf(const Figure& figure, const FigureData& data) {
   FigureShape shape;
   shape.columns = figure.columns();
-  shape.title = textWidth(figure.title().size() + 1, titleCharacter);
+  shape.title = widthOf(figure.title() + " ", titleCharacter);
   const std::vector<PanelRanges> ranges = rangesOf(figure);
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     const Panel& panel = figure.panels()[i];
     shape.panels.push_back(shapeOf(figure, panel, data.panels[i], ranges[i]));
-    if (standsXLabel(figure, i)) shape.panels.back().xLabel = textWidth(xLabelOf(figure, panel).size());
+    if (standsXLabel(figure, i)) shape.panels.back().xLabel = widthOf(xLabelOf(figure, panel));
   }
   return shape;
 }

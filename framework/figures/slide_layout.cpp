@@ -29,7 +29,7 @@ double colourRoomOf(const PanelShape& shape) { return shape.colours ? colourRoom
 double leftMarginOf(const AxisShape& y, double height) {
   if (y.names) return std::max(plotLeft, 20 + *y.names);
   const double widest = y.logarithmic ? textWidth(5) : textWidth(widestNumber(y.range, yStepOf(y, y.range, height)));
-  return std::clamp(34 + widest, 64.0, plotLeft);
+  return std::clamp(34 + widest, 64.0, 1.5 * plotLeft);
 }
 
 /// So far left of its plot, over the numbers of its axis, begins the y label.

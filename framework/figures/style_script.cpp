@@ -37,8 +37,10 @@ void putLineStyles(int count, ScriptText& script) {
     script.put("set style line {} lc rgb '{}' lw 2.4 dt {} pt {} ps 0.8", i + 1, palette[i % 6], i < 6 ? "1" : "(8,4)",
                markers[i % 6]);
     script.put("set style line {} lc rgb '{}' lw 1 pt 5 ps 1.6", i + 1 + cellStyle, palette[i % 6]);
+    script.put("set style line {} lc rgb '{}' lw 0.7 dt 1", i + 1 + meshStyle, palette[i % 6]);
   }
   script.put("set style line {} lc rgb '#9a9a9a' lw 5 dt (5,2.5) pt 6 ps 1.2", referenceStyle);
+  script.put("set style line {} lc rgb '#9a9a9a' lw 2 dt 1 pt 6 ps 1.2", structureStyle);
 }
 
 void putFrame(const Figure& figure, ScriptText& script) {
@@ -47,6 +49,7 @@ void putFrame(const Figure& figure, ScriptText& script) {
   script.put("set tics nomirror out scale 0.6 textcolor rgb '#333333'");
   script.put("set xtics offset 0,0.3");
   script.put("set format '%.10g'");
+  script.put("set minussign");
   if (figure.hasLogX()) script.put("set logscale x");
   script.put("set multiplot");
   script.put("unset key");

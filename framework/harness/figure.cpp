@@ -1,9 +1,12 @@
 #include "harness/figure.h"
 
+#include "base/text/utf8.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -13,22 +16,20 @@ namespace {
 
 bool isLetterOrDigit(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
 
-bool isPlain(char c) {
-  return isLetterOrDigit(c) || std::string_view(" .,:;()[]/+-*=^_<>|%!?'").find(c) != std::string_view::npos;
-}
-
-/// gnuplot runs what stands in a script, so nothing but plain text may get there.
-void requirePlain(const char* what, const std::string& text) {
-  constexpr std::size_t longest = 200;
-  if (text.size() > longest) {
-    throw std::invalid_argument(fmt::format("Figure: the {} is longer than {} characters", what, longest));
+/// What is drawn stands on one line and is seen: no line break, which would end a line of the script, nothing hidden.
+void requireDrawable(const char* what, std::string_view text) {
+  int characters = 0;
+  for (std::size_t at = 0; at < text.size(); ++characters) {
+    const CodePoint next = decodeUtf8(text.substr(at));
+    if (!next.valid || isTreacherous(next.value)) {
+      throw std::invalid_argument(
+          fmt::format("Figure: the {} has at byte {} what cannot be drawn (0x{:02x}); printable text in UTF-8 can be",
+                      what, at, static_cast<unsigned char>(text[at])));
+    }
+    at += next.length;
   }
-  const auto bad = std::find_if_not(text.begin(), text.end(), isPlain);
-  if (bad == text.end()) return;
-  throw std::invalid_argument(
-      fmt::format("Figure: the {} has the character 0x{:02x} at position {}; letters, digits, blanks and "
-                  ".,:;()[]/+-*=^_<>|%!?' are allowed",
-                  what, static_cast<unsigned char>(*bad), bad - text.begin()));
+  if (characters <= longestFigureText) return;
+  throw std::invalid_argument(fmt::format("Figure: the {} is longer than {} characters", what, longestFigureText));
 }
 
 void requireId(const std::string& id) {
@@ -44,12 +45,12 @@ void requireId(const std::string& id) {
 Figure::Figure(std::string id, std::string title, std::string xLabel)
     : id_(std::move(id)), title_(std::move(title)), xLabel_(std::move(xLabel)) {
   requireId(id_);
-  requirePlain("title", title_);
-  requirePlain("label of the x axis", xLabel_);
+  requireDrawable("title", title_);
+  requireDrawable("label of the x axis", xLabel_);
 }
 
 Figure::PanelBuilder Figure::panel(std::string yLabel) {
-  requirePlain("label of a y axis", yLabel);
+  requireDrawable("label of a y axis", yLabel);
   panels_.push_back({std::move(yLabel), {}});
   return {*this, panels_.size() - 1};
 }
@@ -71,7 +72,7 @@ Figure& Figure::logX() {
 }
 
 Figure::PanelBuilder& Figure::PanelBuilder::add(Series series) {
-  requirePlain("name of a curve", series.name);
+  requireDrawable("name of a curve", series.name);
   if (series.x.size() != series.y.size()) {
     throw std::invalid_argument(
         fmt::format("Figure: the curve '{}' has {} x and {} y", series.name, series.x.size(), series.y.size()));
@@ -109,6 +110,14 @@ Figure::PanelBuilder& Figure::PanelBuilder::cells(std::string name, std::vector<
   return add({std::move(name), std::move(x), std::move(y), Pen::Cells});
 }
 
+Figure::PanelBuilder& Figure::PanelBuilder::mesh(std::string name, std::vector<double> x, std::vector<double> y) {
+  return add({std::move(name), std::move(x), std::move(y), Pen::Mesh});
+}
+
+Figure::PanelBuilder& Figure::PanelBuilder::structure(std::string name, std::vector<double> x, std::vector<double> y) {
+  return add({std::move(name), std::move(x), std::move(y), Pen::Structure});
+}
+
 Figure::PanelBuilder& Figure::PanelBuilder::colour(int position) {
   if (panel().series.empty()) throw std::invalid_argument("Figure: colour() before any curve");
   panel().series.back().colour = position;
@@ -131,13 +140,13 @@ Figure::PanelBuilder& Figure::PanelBuilder::equalAxes() {
 }
 
 Figure::PanelBuilder& Figure::PanelBuilder::heading(std::string text) {
-  requirePlain("heading", text);
+  requireDrawable("heading", text);
   panel().heading = std::move(text);
   return *this;
 }
 
 Figure::PanelBuilder& Figure::PanelBuilder::xLabel(std::string text) {
-  requirePlain("label of an x axis", text);
+  requireDrawable("label of an x axis", text);
   panel().xLabel = std::move(text);
   return *this;
 }
@@ -173,14 +182,26 @@ Figure::PanelBuilder& Figure::PanelBuilder::yRange(double low, double high) {
   return *this;
 }
 
+Figure::PanelBuilder& Figure::PanelBuilder::expect(double low, double high) {
+  requireRange(low, high);
+  panel().yExpected = {low, high};
+  return *this;
+}
+
+Figure::PanelBuilder& Figure::PanelBuilder::expectX(double low, double high) {
+  requireRange(low, high);
+  panel().xExpected = {low, high};
+  return *this;
+}
+
 Figure::PanelBuilder& Figure::PanelBuilder::note(double x, double y, std::string text, bool centred) {
-  requirePlain("note", text);
+  requireDrawable("note", text);
   panel().notes.push_back({x, y, std::move(text), centred});
   return *this;
 }
 
 Figure::PanelBuilder& Figure::PanelBuilder::field(Field field) {
-  requirePlain("label of the colours", field.label);
+  requireDrawable("label of the colours", field.label);
   if (!isEquallySpaced(field.x) || !isEquallySpaced(field.y)) {
     throw std::invalid_argument("Figure: the lines of a field's grid ascend by equal distances, at least two each way");
   }
@@ -194,13 +215,13 @@ Figure::PanelBuilder& Figure::PanelBuilder::field(Field field) {
 }
 
 Figure::PanelBuilder& Figure::PanelBuilder::xNames(std::vector<std::string> names) {
-  for (const std::string& name : names) requirePlain("name on an axis", name);
+  for (const std::string& name : names) requireDrawable("name on an axis", name);
   panel().xNames = std::move(names);
   return *this;
 }
 
 Figure::PanelBuilder& Figure::PanelBuilder::yNames(std::vector<std::string> names) {
-  for (const std::string& name : names) requirePlain("name on an axis", name);
+  for (const std::string& name : names) requireDrawable("name on an axis", name);
   panel().yNames = std::move(names);
   return *this;
 }
@@ -211,6 +232,26 @@ namespace {
 /// other, one a node, would be joined by a stroke that means nothing.
 bool hasReferenceCurve(const Series& series) {
   return series.pen != Pen::Points || std::ranges::adjacent_find(series.x, std::greater_equal()) == series.x.end();
+}
+
+/// The ends of what the curves of a panel reach along one axis; from 0 on where they are constant, and none where they
+/// are 0: that has no size to measure others by.
+FixedRange reachOf(const Panel& panel, std::vector<double> Series::*axis) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Series& series : panel.series) {
+    for (const double value : series.*axis) {
+      if (!std::isfinite(value)) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  constexpr double roundOff = 1e-9;
+  if (high - low <= roundOff * std::max(std::abs(low), std::abs(high))) {
+    low = std::min(low, 0.0);
+    high = std::max(high, 0.0);
+  }
+  if (low < high && std::isfinite(high - low)) return std::pair(low, high);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -230,6 +271,8 @@ Figure Figure::over(const Figure& reference) const {
       under[j].pen = Pen::Reference;
       under[j].name = under.size() == 1 ? "reference: " + under[j].name : (j == 0 ? "reference" : "");
     }
+    both.panels_[i].yExpected = reachOf(reference.panels_[i], &Series::y);
+    if (equalAxes_) both.panels_[i].xExpected = reachOf(reference.panels_[i], &Series::x);
     std::vector<Series>& series = both.panels_[i].series;
     series.insert(series.end(), under.begin(), under.end());
   }

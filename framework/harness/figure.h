@@ -14,6 +14,8 @@ enum class Pen {
   LinePoints,  ///< a line with a marker at each point: few points, such as errors against steps
   Arrows,      ///< from (x, y) by (dx, dy), next colour of the palette
   Cells,       ///< filled unit squares about the points: categories in a table
+  Mesh,        ///< a hair line, next colour of the palette: many edges
+  Structure,   ///< solid thin grey, drawn underneath: what carries the arrows and marks of a drawing
 };
 
 /// One curve: numbers and the name in the key.
@@ -37,6 +39,9 @@ struct Note {
 /// The ends of an axis or of a scale that are not left to the data.
 using FixedRange = std::optional<std::pair<double, double>>;
 
+/// Characters of a title, name or label, at most.
+inline constexpr int longestFigureText = 200;
+
 /// Values over a rectangle, shown by colour in bands.
 struct Field {
   std::vector<double> x, y;    ///< grid lines, ascending and equally spaced
@@ -50,6 +55,8 @@ struct Panel {
   std::string yLabel;  ///< with its unit: "height [m]"
   std::vector<Series> series;
   bool logY = false;
+  /// What right answers reach: the axes of a curve that goes further end at three times that (see Figure).
+  FixedRange xExpected = {}, yExpected = {};
   // The rest is for slides.
   std::string xLabel = {};  ///< empty: the figure's
   std::string heading = {};
@@ -68,12 +75,14 @@ struct Panel {
 ///     figure.panel("position [m]").line("simulated", t, x).reference("analytic", t, exact);
 ///     figure.panel("energy [J]").line("total", t, E);
 ///
-/// Titles, names and labels come from this project's sources, never from a submission: they are checked against a plain
-/// alphabet (std::invalid_argument otherwise) before gnuplot reads them: letters, digits, blank and
-/// .,:;()[]/+-*=^_<>|%!?' where ^2 and ^3 become superscripts and -> an arrow. Numbers that are not finite or beyond
-/// 1e100 are gaps in a curve, as are those below or at zero on a logarithmic axis; a curve with no point left says "no
-/// data". A linear axis never shows round-off: values that differ by less than 1e-9 of their size, or are all
-/// below 1e-12, look constant.
+/// Titles, names and labels are UTF-8 and drawn as they are written, whatever stands in them: an index, a power or a
+/// Greek letter is its own character (xₐ, m², ω). What is no printable text on one line of at most longestFigureText
+/// characters throws std::invalid_argument. Numbers that are not finite or beyond 1e100 are gaps in a curve, as are
+/// those below or at zero on a logarithmic axis; a curve with no point left says "no data". A linear axis never shows
+/// round-off: values that differ by less than 1e-9 of their size, or are all below 1e-12, look constant.
+///
+/// Where a panel expects a range, its linear axis shows at most three times that, about its middle: a curve that
+/// diverges does not flatten the others, and its name says where it leaves the picture.
 ///
 /// Figures for lectures are slides: see slide().
 class Figure {
@@ -88,10 +97,16 @@ class Figure {
     PanelBuilder& points(std::string name, std::vector<double> x, std::vector<double> y);
     PanelBuilder& linePoints(std::string name, std::vector<double> x, std::vector<double> y);
     PanelBuilder& logY();
+    /// What a right answer reaches along y (along x, for a path). Throw std::invalid_argument unless low < high.
+    PanelBuilder& expect(double low, double high);
+    PanelBuilder& expectX(double low, double high);
 
     /// Arrows from (x, y) by (dx, dy), in the units of the axes.
     PanelBuilder& arrows(std::string name, std::vector<double> x, std::vector<double> y, std::vector<double> dx,
                          std::vector<double> dy);
+    /// Many edges, thin, with a gap after each; the structure that other marks stand on, in grey.
+    PanelBuilder& mesh(std::string name, std::vector<double> x, std::vector<double> y);
+    PanelBuilder& structure(std::string name, std::vector<double> x, std::vector<double> y);
     /// A category of a table: a square about each point, one wide and one high.
     PanelBuilder& cells(std::string name, std::vector<double> x, std::vector<double> y);
     /// The palette's colour for the curve added last, so that one thing has one colour in several panels.
@@ -144,7 +159,7 @@ class Figure {
   /// This figure with the curves of `reference` underneath in the reference pen: what the grader draws, a submission's
   /// figure over that of the oracle. One curve of a panel is named "reference: its name", several share the name
   /// "reference". Curves that are already drawn as references (an analytic solution) are not drawn twice,
-  /// nor are markers that do not go from left to right.
+  /// nor are markers that do not go from left to right. What the reference reaches is expected of this figure.
   /// Throws std::invalid_argument when the panels differ in number.
   Figure over(const Figure& reference) const;
 

@@ -33,8 +33,8 @@ engine::Model turnedOver(int dimension, double stiffness) {
 
 void addPanel(Figure& figure, int dimension, const std::vector<double>& stiffnesses) {
   auto landscape = figure.panel("energy [J]");
-  landscape.heading(dimension == 2 ? "triangle with a signed area, k in N/m^3"
-                                   : "tetrahedron, signed volume, k in N/m^5");
+  landscape.heading(dimension == 2 ? "triangle with a signed area, k in N/m³"
+                                   : "tetrahedron, signed volume, k in N/m⁵");
   const std::vector<double> heights = linear(-1.5, 1.5, 301);
   for (const double k : stiffnesses) {
     const auto system = engine::build(turnedOver(dimension, k));

@@ -55,7 +55,7 @@ Figure bending_springs() {
   shapes.heading("at rest under its weight, held at the left");
   for (const double k : {20.0, 2.0, 0.5, 0.0}) {
     const Shape shape = atRest(k);
-    shapes.linePoints(k > 0.0 ? fmt::format("k = {} J/rad^2", k) : "no angles", shape.x, shape.z);
+    shapes.linePoints(k > 0.0 ? fmt::format("k = {} J/rad²", k) : "no angles", shape.x, shape.z);
   }
   shapes.equalAxes().xRange(-0.1, 1.1).yRange(-1.1, 0.1);
 
@@ -67,7 +67,7 @@ Figure bending_springs() {
   }
   figure.panel("drop of the free end [m]")
       .heading("a beam while it bends little")
-      .xLabel("k of the angles [J/rad^2]")
+      .xLabel("k of the angles [J/rad²]")
       .linePoints("chain", stiffness, drop)
       .reference("beam theory", stiffness, theory)
       .logX()

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
 
 namespace muelle::plots {
 
@@ -41,10 +44,13 @@ double addBall(Figure::PanelBuilder& panel, const engine::ModelSystem& system, c
 
 }  // namespace
 
-/// Slide "Contacto Externo": a contact shorter than the step is a lottery, unless the step ends at the touch.
+/// Slide "Contacto Externo": beyond the limit of its contact, 2 / omega, a step throws the ball.
 Figure bounce() {
   const auto system = engine::build(ball());
-  Figure figure("bounce", "A bounce lasts 10 ms: steps that do not end at the touch throw the ball", "time [s]");
+  const double omega = std::sqrt(system->model().obstacles[0].material.k / system->model().nodes[0].m);
+  const std::string title = fmt::format("A bounce of {:.0f} ms bounds the step to {:.1f} ms: 1/60 s throws the ball",
+                                        1e3 * std::numbers::pi / omega, 1e3 * 2.0 / omega);
+  Figure figure("bounce", title, "time [s]");
   figure.slide();
   auto panel = figure.panel("height [m]");
   addBall(panel, *system, "1 ms, touch located", 1e-3, true);

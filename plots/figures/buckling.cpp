@@ -30,7 +30,8 @@ Figure buckling() {
     state.x[y] = height;
     energies.push_back(system->potential()->energy(0.0, state.x, state.z));
   }
-  Figure figure("buckling", "A compressed spring buckles: forces sum to 0 on the saddle too, but it cannot stay there",
+  Figure figure("buckling",
+                "A compressed spring buckles: forces sum to 0 on the saddle too, but the least push leads away",
                 "position across the axis y [m]");
   figure.slide(2);
   auto landscape = figure.panel("elastic energy [J]");

@@ -31,7 +31,7 @@ Figure damping_rotating_pair() {
   for (auto& n : node.nodes) n.drag = 0.6;
   relative.springs[0].dRelative = 0.3;
   projected.springs[0].dProjected = 0.3;
-  auto turning = figure.panel("angular momentum [kg m^2/s]");
+  auto turning = figure.panel("angular momentum [kg m²/s]");
   turning.heading("a pair on a spring turns").yRange(0.0, 4.0);
   auto drifting = figure.panel("momentum [kg m/s]");
   drifting.heading("and drifts").yRange(0.0, 4.0);

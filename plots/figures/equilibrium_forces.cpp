@@ -77,7 +77,7 @@ Figure equilibrium_forces() {
   whole.heading("forces on each node").equalAxes();
   for (const auto& spring : model.springs) {
     const auto a = static_cast<std::size_t>(spring.a), b = static_cast<std::size_t>(spring.b);
-    whole.reference("", {x[2 * a], x[2 * b]}, {x[2 * a + 1], x[2 * b + 1]});
+    whole.structure("", {x[2 * a], x[2 * b]}, {x[2 * a + 1], x[2 * b + 1]});
   }
   auto polygon = figure.panel("vertical [N]");
   polygon.heading("left foot: the arrows close").xLabel("horizontal [N]").equalAxes().xRange(-15.0, 20.0);

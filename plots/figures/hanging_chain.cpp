@@ -85,7 +85,7 @@ Figure hanging_chain() {
   shapes.reference("catenary", linear(0.0, span, 200), curve);
   for (const double k : {1e5, 50.0, 15.0}) {
     const Hanging shape = hang(20, k);
-    shapes.linePoints(k < 1e5 ? fmt::format("k = {} N/m", k) : "k = 10^5 N/m", shape.x, shape.z);
+    shapes.linePoints(k < 1e5 ? fmt::format("k = {} N/m", k) : "k = 10⁵ N/m", shape.x, shape.z);
   }
   shapes.equalAxes();
 

@@ -29,7 +29,7 @@ Figure projected_damping() {
       .line("", t,
             along(trajectory, [&](const State& s) { return (system->position(s, 0) - system->position(s, 1)).norm(); }))
       .reference("turning equilibrium", {0.0, 3.0}, {turning, turning});
-  figure.panel("[J], [kg m^2/s]")
+  figure.panel("[J], [kg m²/s]")
       .heading("energy and rotation")
       .line("energy", t, along(trajectory, [&](const State& s) { return system->totalEnergy(s); }))
       .line("ang. momentum", t, along(trajectory, [&](const State& s) { return system->angularMomentum(s).z(); }))

@@ -27,7 +27,7 @@ void addSide(Figure::PanelBuilder& panel, const engine::ModelSystem& system, con
     x.push_back(gap);
     z.push_back(gap);
   }
-  panel.line("", std::move(x), std::move(z));
+  panel.mesh("", std::move(x), std::move(z));
 }
 
 }  // namespace
@@ -46,8 +46,7 @@ Figure rabbit() {
     fastest = std::max(fastest, system.velocity(squeezed.result.last, i).norm());
   }
 
-  Figure figure("rabbit", "The rabbit is deformed but no longer moves: forces of springs, weight and planes balance",
-                "x [m]");
+  Figure figure("rabbit", "The squeezed rabbit has come to rest: springs, weight and planes balance", "x [m]");
   figure.slide(2);
   for (const auto& [state, name] :
        {std::pair(system.initialState(), std::string("before")),

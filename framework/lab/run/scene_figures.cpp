@@ -1,5 +1,7 @@
 #include "lab/run/scene_figures.h"
 
+#include "base/text/printable.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <cctype>
@@ -16,16 +18,8 @@ constexpr std::size_t mostDrawnSprings = 4000;  // beyond that the surface alone
 constexpr std::size_t mostReferenceEdges = 100;
 constexpr std::size_t mostDrawnNodes = 30;  // of 1D scenes
 
-/// Figures take a plain alphabet (see Figure); a scene's title may be anything.
-std::string plain(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    const bool isPlain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-                         std::string_view(" .,:;()[]/+-*=<>%!?'").find(c) != std::string_view::npos;
-    result += isPlain ? c : '-';
-  }
-  return result;
-}
+/// A scene's own words, as far as a figure can show them: on one line, and not too long.
+std::string drawable(std::string_view text) { return cut(printableLine(text), longestFigureText); }
 
 /// Letters, digits and _ for a file's name.
 std::string fileStem(std::string_view text) {
@@ -46,7 +40,7 @@ std::string axisLabel(const Scene& scene, int axis) {
 
 Figure energyFigure(const Scene& scene, const SceneRun& run) {
   const Trajectory& t = run.result.trajectory;
-  Figure figure(fileStem(scene.name) + "_energy", plain(scene.title), "time [s]");
+  Figure figure(fileStem(scene.name) + "_energy", drawable(scene.title), "time [s]");
   figure.panel("energy [J]")
       .line("kinetic", t.t, t.track("kinetic energy"))
       .line("potential", t.t, t.track("potential energy"))
@@ -56,11 +50,11 @@ Figure energyFigure(const Scene& scene, const SceneRun& run) {
 
 Figure outputsFigure(const Scene& scene, const SceneRun& run) {
   const Trajectory& t = run.result.trajectory;
-  Figure figure(fileStem(scene.name) + "_outputs", plain(scene.title), "time [s]");
+  Figure figure(fileStem(scene.name) + "_outputs", drawable(scene.title), "time [s]");
   for (const SceneOutput& output : scene.outputs) {
     if (output.kind == SceneOutput::Kind::Path) continue;
     const char* unit = output.kind == SceneOutput::Kind::Velocity ? "m/s" : "m";
-    figure.panel(fmt::format("{} [{}]", plain(output.name), unit)).line("", t.t, t.track(output.name));
+    figure.panel(fmt::format("{} [{}]", drawable(output.name), unit)).line("", t.t, t.track(output.name));
   }
   return figure;
 }
@@ -146,7 +140,7 @@ Figure shapeFigure(const Scene& scene, const SceneRun& run) {
   const State last = stateAt(run.result, run.result.trajectory.t.size() - 1);
   const Pieces start = drawn(scene, *run.system, first, edges);
   const Pieces end = drawn(scene, *run.system, last, edges);
-  Figure figure(fileStem(scene.name) + "_shape", plain(scene.title), axisLabel(scene, scene.view[0]));
+  Figure figure(fileStem(scene.name) + "_shape", drawable(scene.title), axisLabel(scene, scene.view[0]));
   figure.equalAxes();
   auto panel = figure.panel(axisLabel(scene, scene.view[1]));
   // The pen of references is broad: right for a few springs, a blot for a mesh.
@@ -166,7 +160,7 @@ Figure shapeFigure(const Scene& scene, const SceneRun& run) {
 /// 1D: where the nodes are over time.
 Figure nodesFigure(const Scene& scene, const SceneRun& run) {
   const Trajectory& t = run.result.trajectory;
-  Figure figure(fileStem(scene.name) + "_shape", plain(scene.title), "time [s]");
+  Figure figure(fileStem(scene.name) + "_shape", drawable(scene.title), "time [s]");
   auto panel = figure.panel("position [m]");
   const std::size_t count = std::min(scene.model.nodes.size(), mostDrawnNodes);
   for (std::size_t node = 0; node < count; ++node) {
@@ -181,7 +175,7 @@ Figure nodesFigure(const Scene& scene, const SceneRun& run) {
 
 Figure pathFigure(const Scene& scene, const SceneRun& run) {
   const Trajectory& t = run.result.trajectory;
-  Figure figure(fileStem(scene.name) + "_path", plain(scene.title), axisLabel(scene, scene.view[0]));
+  Figure figure(fileStem(scene.name) + "_path", drawable(scene.title), axisLabel(scene, scene.view[0]));
   figure.equalAxes();
   auto panel = figure.panel(axisLabel(scene, scene.view[1]));
   for (const SceneOutput& output : scene.outputs) {
@@ -192,7 +186,7 @@ Figure pathFigure(const Scene& scene, const SceneRun& run) {
       x.push_back(at[scene.view[0]]);
       y.push_back(at[scene.view[1]]);
     }
-    panel.line(plain(output.name), std::move(x), std::move(y));
+    panel.line(drawable(output.name), std::move(x), std::move(y));
   }
   return figure;
 }
