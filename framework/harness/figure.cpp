@@ -234,8 +234,8 @@ bool hasReferenceCurve(const Series& series) {
   return series.pen != Pen::Points || std::ranges::adjacent_find(series.x, std::greater_equal()) == series.x.end();
 }
 
-/// The ends of what the curves of a panel reach along one axis; from 0 on where they are constant, and none where they
-/// are 0: that has no size to measure others by.
+/// The ends of what the curves of a panel reach along one axis; from 0 on where they hardly change, and none where they
+/// are 0 but for rounding: that has no size to measure others by.
 FixedRange reachOf(const Panel& panel, std::vector<double> Series::*axis) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Series& series : panel.series) {
@@ -245,8 +245,10 @@ FixedRange reachOf(const Panel& panel, std::vector<double> Series::*axis) {
       high = std::max(high, value);
     }
   }
-  constexpr double roundOff = 1e-9;
-  if (high - low <= roundOff * std::max(std::abs(low), std::abs(high))) {
+  constexpr double hardly = 1e-3, roundOff = 1e-12;
+  const double size = std::max(std::abs(low), std::abs(high));
+  if (!(size > roundOff)) return std::nullopt;
+  if (high - low <= hardly * size) {
     low = std::min(low, 0.0);
     high = std::max(high, 0.0);
   }

@@ -88,7 +88,7 @@ struct Panel {
 class Figure {
  public:
   /// Adds curves to one panel; stays valid while the figure stays where it is. Throws std::invalid_argument when x and
-  /// y differ in length or the name is not plain.
+  /// y differ in length or the name cannot be drawn.
   class PanelBuilder {
    public:
     PanelBuilder(Figure& figure, std::size_t index) : figure_(figure), index_(index) {}

@@ -168,6 +168,29 @@ TEST(FigureGaps, CanBeAllThereIs) {
   EXPECT_GE(countOf(svg, ">no data<"), 4u);
 }
 
+// A curve that diverges does not flatten the others; one that is right but for rounding never "leaves".
+TEST(FigureOverAReference, CutsWhatDivergesAndSaysWhere) {
+  const Numbers times = {0.0, 1.0, 2.0, 3.0};
+  const auto drawn = [&times](const std::string& unit, Numbers values) {
+    Figure figure("f", "A title", "time [s]");
+    figure.panel(unit).line("curve", times, std::move(values));
+    return figure;
+  };
+  const std::string diverging =
+      figureText(drawn("x [m]", {0.0, 2.0, 40.0, 900.0}).over(drawn("x [m]", {0, 1, 0, -1}))).script;
+  EXPECT_NE(diverging.find("leaves the picture at t = 2 s"), std::string::npos);
+  const auto ranges = yRanges(diverging);
+  ASSERT_EQ(ranges.size(), 1u);
+  EXPECT_LE(ranges[0].second, 8.0);
+  const std::string rounding =
+      figureText(drawn("p [kg m/s]", {0.0, 3e-16, -9e-16, 2e-15}).over(drawn("p [kg m/s]", {0, 1e-16, 0, -1e-16})))
+          .script;
+  EXPECT_EQ(rounding.find("leaves"), std::string::npos);
+  const std::string drift =
+      figureText(drawn("E [J]", {2.0, 2.00001, 1.99998, 2.00005}).over(drawn("E [J]", {2, 2.000001, 2, 2}))).script;
+  EXPECT_EQ(drift.find("leaves"), std::string::npos);
+}
+
 // What gnuplot, a shell or a format would take for more than text, and accents, Greek, powers and signs.
 TEST(FigureText, IsDrawnAsItIsWritten) {
   const TemporaryFolder folder(::testing::TempDir());

@@ -64,6 +64,14 @@ double Contact<D, Shape>::normalForce(const Meeting& m, double mode) const {
   return mode == mode::live ? std::max(0.0, m.N) : m.N;
 }
 
+/// How far behind a slipping node its anchor is put [m]: as far as the slider stretches at its limit; in a frozen slip,
+/// where the anchor tells the direction of the last commit and nothing else, so far that no step turns it.
+template <int D, class Shape>
+double Contact<D, Shape>::stretchOf(double mode, double limit) const {
+  constexpr double farAway = 1e9;
+  return mode == mode::closed ? farAway : limit / obstacle_.slider.k;
+}
+
 /// The slider as it is; for a frozen slip one without a spring whose damper is that strong that it slips at any speed.
 template <int D, class Shape>
 Slider<D> Contact<D, Shape>::sliderOf(const Meeting& m, const double* mine, double N) const {
@@ -71,6 +79,7 @@ Slider<D> Contact<D, Shape>::sliderOf(const Meeting& m, const double* mine, doub
   const Vector along = m.w - n * n.dot(m.w);
   const double speed = along.norm();
   if (mine[0] != mode::closed || mine[gripAt] != slips || speed == 0.0) return obstacle_.slider;
+  // Past a halt within the step the force goes on as it was: the halt is an event.
   const Vector xi = m.r - Eigen::Map<const Vector>(mine + anchorAt);
   const double limit = obstacle_.slider.mu * std::fmax(N, 0.0);
   return {obstacle_.slider.mu, 0.0, (along.dot(xi) < 0.0 ? -2.0 : 2.0) * limit / speed};
@@ -302,7 +311,7 @@ void Contact<D, Shape>::commitFriction(int node, const Meeting& m, double* mine)
     atRest_.push_back(node);
   } else if (grip.slips) {
     mine[gripAt] = slips;
-    anchor = m.r + grip.force / obstacle_.slider.k;
+    anchor = m.r + stretchOf(mine[0], grip.limit) / grip.limit * grip.force;
   } else {
     mine[gripAt] = sticks;
   }
@@ -321,7 +330,7 @@ void Contact<D, Shape>::beginFriction(int node, const Meeting& m, const Vector& 
     atRest_.push_back(node);
   } else if (masses_[static_cast<std::size_t>(node)] * square > limit * limit / slider.k) {
     mine[gripAt] = slips;
-    anchor -= (limit / slider.k) * along / std::sqrt(square);
+    anchor -= stretchOf(mine[0], limit) * along / std::sqrt(square);
   }
 }
 
@@ -395,6 +404,11 @@ double Contact<D, Shape>::anchorEnergy(const Configuration& at) const {
     const Meeting m = meet(i, at);
     const double* mine = own(i, at.z);
     if (!m.acts || mine[gripAt] == apart) continue;
+    if (mine[gripAt] == slips) {
+      const double limit = obstacle_.slider.mu * std::fmax(normalForce(m, mine[0]), 0.0);
+      sum += 0.5 * limit * limit / obstacle_.slider.k;
+      continue;
+    }
     const Vector xi = m.r - Eigen::Map<const Vector>(mine + anchorAt);
     const double along = xi.squaredNorm() - std::pow(m.touch.normal.dot(xi), 2);
     sum += 0.5 * obstacle_.slider.k * std::max(along, 0.0);

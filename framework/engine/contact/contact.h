@@ -116,6 +116,7 @@ class Contact final : public ForceBatch {
   Vector relativePosition(int node, const Configuration& at) const;
   Meeting meet(int node, const Configuration& at) const;
   double normalForce(const Meeting& m, double mode) const;
+  double stretchOf(double mode, double limit) const;
   Slider<D> sliderOf(const Meeting& m, const double* mine, double N) const;
   double guard(const Meeting& m) const;
   double modeAfter(double old, const Meeting& m) const;
