@@ -37,8 +37,8 @@ enum class SpringKind {
 /// Through zero length, frozen: z holds the direction n0 at the last commit, and the length has the sign of d . n0:
 /// F_a = -k (1 - L0 / (sign L)) d, the smooth continuation. Without internal direction (live), the sign is +.
 ///
-/// Signed (1D, SpringElement::side): the length is side * (xa - xb) throughout, negative beyond the other end; the force
-/// is linear, and nothing happens at zero length.
+/// Signed (1D, SpringElement::side): the length is side * (xa - xb) throughout, negative beyond the other end; the
+/// force is linear, and nothing happens at zero length.
 ///
 /// Unilateral: nothing of the spring acts (damping neither) when L > L0; live by the length, frozen by the mode in z.
 template <int D>

@@ -86,8 +86,9 @@ void requireMass(const TableReader& table, const ModelNode& node) {
 }
 
 void readSpring(const TableReader& table, Model& model) {
-  table.checkKeys({"nodes", "k", "L0", "relative_damping", "projected_damping", "damping_ratio", "unilateral", "signed", "rod"},
-                  {"nodes"});
+  table.checkKeys(
+      {"nodes", "k", "L0", "relative_damping", "projected_damping", "damping_ratio", "unilateral", "signed", "rod"},
+      {"nodes"});
   const std::vector<int> nodes = readNodes(table, model, 2);
   ModelSpring spring;
   spring.a = nodes[0];
