@@ -2,27 +2,10 @@
 # Usage: rest_command_test.sh MUELLE_REST. The command line of `muelle rest`: verdicts, exit codes, one-line errors, what
 # it writes.
 set -uo pipefail
-rest="$1"
+program="$1" word=rest
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
-failures=0
-
-# expect CODE TEXT ARGUMENTS...: exit code, and a text that must stand in what is printed.
-expect() {
-  local code="$1" text="$2" printed status
-  shift 2
-  printed="$("$rest" "$@" 2>&1 </dev/null)"
-  status=$?
-  if [[ $status -ne $code || $printed != *"$text"* ]]; then
-    printf 'muelle rest %s: exit code %s (expected %s), printed:\n%s\n(expected in it: %s)\n' "$*" "$status" "$code" \
-      "$printed" "$text" >&2
-    failures=$((failures + 1))
-  fi
-  if [[ $code -eq 2 && ($printed != muelle:* || $printed == *$'\n'*) ]]; then
-    printf 'muelle rest %s: an error is one line that begins with "muelle: ", got:\n%s\n' "$*" "$printed" >&2
-    failures=$((failures + 1))
-  fi
-}
+. "$(dirname "${BASH_SOURCE[0]}")/expect.sh"
 
 # scene NAME GRAVITY X_OF_THE_BOB PINNED: a pendulum of length 1 m and 1 kg, its bob at (0, X).
 scene() {

@@ -1,27 +1,10 @@
 #!/usr/bin/env bash
 # Usage: run_command_test.sh MUELLE_RUN. The command line of `muelle run`: exit codes, one-line errors, what it writes.
 set -uo pipefail
-run="$1"
+program="$1" word=run
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
-failures=0
-
-# expect CODE TEXT ARGUMENTS...: exit code, and a text that must stand in what is printed.
-expect() {
-  local code="$1" text="$2" printed status
-  shift 2
-  printed="$("$run" "$@" 2>&1 </dev/null)"
-  status=$?
-  if [[ $status -ne $code || $printed != *"$text"* ]]; then
-    printf 'muelle run %s: exit code %s (expected %s), printed:\n%s\n(expected in it: %s)\n' "$*" "$status" "$code" \
-      "$printed" "$text" >&2
-    failures=$((failures + 1))
-  fi
-  if [[ $code -eq 2 && ($printed != muelle:* || $printed == *$'\n'*) ]]; then
-    printf 'muelle run %s: an error is one line that begins with "muelle: ", got:\n%s\n' "$*" "$printed" >&2
-    failures=$((failures + 1))
-  fi
-}
+. "$(dirname "${BASH_SOURCE[0]}")/expect.sh"
 
 expect 0 "Examples:" --help
 expect 0 "rabbit_squeezed" --list

@@ -17,6 +17,18 @@ std::size_t place(int dimension, int node, int component) {
   return static_cast<std::size_t>(dimension) * static_cast<std::size_t>(node) + static_cast<std::size_t>(component);
 }
 
+/// The internal variables of a state. A recorded one has lost them: with zeros the modes are live, as the positions
+/// say, and no anchor is known.
+struct Modes {
+  Modes(const State& state, int count)
+      : live(state.z.empty() ? static_cast<std::size_t>(count) : 0, 0.0), z(state.z.empty() ? In(live) : In(state.z)) {}
+  Modes(const Modes&) = delete;
+  Modes& operator=(const Modes&) = delete;
+
+  std::vector<double> live;
+  In z;
+};
+
 }  // namespace
 
 MassSpringSystem::MassSpringSystem(Model model, Numbering numbering, std::vector<std::unique_ptr<ForceBatch>> batches,
@@ -361,9 +373,8 @@ void MassSpringSystem::close(State& state) const {
 }
 
 double MassSpringSystem::shortestBounce(const State& state) const {
-  const std::vector<double> live(state.z.empty() ? static_cast<std::size_t>(internalSize_) : 0, 0.0);
-  const In z = state.z.empty() ? In(live) : In(state.z);
-  const Configuration at = gather(state.t, state.x, state.v, z, first_);
+  const Modes modes(state, internalSize_);
+  const Configuration at = gather(state.t, state.x, state.v, modes.z, first_);
   double shortest = std::numeric_limits<double>::infinity();
   for (const auto& batch : batches_) shortest = std::min(shortest, batch->shortestBounce(at));
   return shortest;
@@ -439,19 +450,16 @@ double MassSpringSystem::kineticEnergy(const State& state) const {
 }
 
 double MassSpringSystem::totalEnergy(const State& state) const {
-  // A recorded state has lost its z: with zeros the modes are live, as the positions say, and no anchor is known.
-  const std::vector<double> live(state.z.empty() ? static_cast<std::size_t>(internalSize_) : 0, 0.0);
-  const In z = state.z.empty() ? In(live) : In(state.z);
-  double sum = kineticEnergy(state) + energy(state.t, state.x, z);
-  const Configuration at = gather(state.t, state.x, zeroVelocity_, z, first_);
+  const Modes modes(state, internalSize_);
+  double sum = kineticEnergy(state) + energy(state.t, state.x, modes.z);
+  const Configuration at = gather(state.t, state.x, zeroVelocity_, modes.z, first_);
   for (const auto& batch : batches_) sum += state.z.empty() ? 0.0 : batch->anchorEnergy(at);
   return sum;
 }
 
 double MassSpringSystem::elasticEnergy(const State& state) const {
-  const std::vector<double> live(state.z.empty() ? static_cast<std::size_t>(internalSize_) : 0, 0.0);
-  const In z = state.z.empty() ? In(live) : In(state.z);
-  const Configuration at = gather(state.t, state.x, zeroVelocity_, z, first_);
+  const Modes modes(state, internalSize_);
+  const Configuration at = gather(state.t, state.x, zeroVelocity_, modes.z, first_);
   double sum = 0.0;
   for (const auto& batch : batches_) sum += batch->isUniformField() ? 0.0 : batch->energy(at);
   return sum;
