@@ -1,13 +1,13 @@
 /// \file
 /// `muelle rest`: reads its command line, has the lab find a scene's equilibrium, prints the summary.
 
-#include "base/build_paths.h"
 #include "base/command_line.h"
 #include "base/errors.h"
 #include "figures/write.h"
 #include "lab/rest/rest_figure.h"
 #include "lab/rest/rest_scene.h"
 #include "lab/rest/rest_tables.h"
+#include "lab/run/shipped_scenes.h"
 
 #include <fmt/format.h>
 #include <cstdio>
@@ -45,8 +45,7 @@ void writeResults(const Command& command, const Scene& scene, const SceneAtRest&
 
 int rest(const Command& command) {
   if (command.scene.empty()) throw std::invalid_argument("SCENE is missing; ./muelle run --list names them");
-  const fs::path folder = fs::path(muelle::build_paths::source) / "framework" / "engine" / "scenes";
-  const Scene scene = readScene(findScene(command.scene, folder));
+  const Scene scene = readScene(findScene(command.scene, shippedScenes()));
   const SceneAtRest found = restScene(scene, command.options);
   fmt::print("{}", summaryOf(scene, found));
   writeResults(command, scene, found);

@@ -1,7 +1,6 @@
 /// \file
 /// `muelle run`: reads its command line, has the engine run a scene, prints the summary.
 
-#include "base/build_paths.h"
 #include "base/command_line.h"
 #include "base/errors.h"
 #include "base/text/printable.h"
@@ -11,6 +10,7 @@
 #include "lab/run/error_estimate.h"
 #include "lab/run/run_scene.h"
 #include "lab/run/scene_figures.h"
+#include "lab/run/shipped_scenes.h"
 
 #include <fmt/format.h>
 #include <cstdio>
@@ -36,10 +36,8 @@ struct Command {
   bool noErrorEstimate = false;
 };
 
-fs::path sceneFolder() { return fs::path(muelle::build_paths::source) / "framework" / "engine" / "scenes"; }
-
 int listScenesWithTitles() {
-  for (const fs::path& file : listScenes(sceneFolder())) {
+  for (const fs::path& file : listScenes(shippedScenes())) {
     const Scene scene = readScene(file);
     fmt::print("{:<24} {}\n{:<24} {}\n{:<24} (slide: {})\n", scene.name, scene.title, "", scene.shows, "", scene.slide);
   }
@@ -76,7 +74,7 @@ int run(const Command& command) {
   if (command.list) return listScenesWithTitles();
   if (command.methods) return listMethods();
   if (command.scene.empty()) throw std::invalid_argument("SCENE is missing; ./muelle run --list names them");
-  const Scene scene = applied(readScene(findScene(command.scene, sceneFolder())), command.overrides);
+  const Scene scene = applied(readScene(findScene(command.scene, shippedScenes())), command.overrides);
   SceneRun result = runScene(scene, scene.name);
   if (!command.noErrorEstimate && !result.result.failed()) {
     result.error = estimateError(scene, result, scene.name + ", error");
