@@ -26,14 +26,13 @@ muelle::Trajectory drop(const Vec3& from, const Contact& contact, double h, doub
   const muelle::FunctionSystem system({1.0, 1.0, 1.0}, [&contact](double, In x, In v, Out f) {
     node3(f, 0) = contact(node3(x, 0), node3(v, 0)) - g * up;
   });
-  muelle::SymplecticEuler method;
-  muelle::SimulationOptions options;
+  muelle::MarchOptions options;
   options.h = h;
   options.duration = duration;
   options.outputEvery = 3;
   options.probes = {muelle::sum(
       "energy", {muelle::kineticEnergy(system), {"weight", "J", [](const State& s) { return g * s.x[2]; }}})};
-  return simulate(system, method, {0.0, {from.x(), from.y(), from.z()}, {0, 0, 0}, {}}, options);
+  return march(system, {0.0, {from.x(), from.y(), from.z()}, {0, 0, 0}, {}}, options);
 }
 
 muelle::Figure bounces() {
@@ -101,12 +100,11 @@ muelle::Trajectory land() {
   State start;
   for (int i = 0; i < 4; ++i) start.x.push_back(0.1 + undeformed[i]);
   start.v.assign(4, 0.0);
-  muelle::SymplecticEuler method;
-  muelle::SimulationOptions options;
+  muelle::MarchOptions options;
   options.h = 2e-3;
   options.duration = 4.0;
   options.outputEvery = 3;
-  return simulate(system, method, start, options);
+  return march(system, start, options);
 }
 
 muelle::Figure column() {

@@ -42,15 +42,14 @@ muelle::Trajectory letGo(const Damper& damper) {
   State start;
   start.x = {0.6, 0, 0, -0.6, 0, 0};
   start.v = {0, 1, 0, 0, -1, 0};
-  muelle::SymplecticEuler method;
-  muelle::SimulationOptions options;
+  muelle::MarchOptions options;
   options.h = 6e-3;
   options.duration = 6.0;
   options.outputEvery = 3;
   options.probes = {{"falling speed", "m/s", [](const State& s) { return -(s.v[2] + s.v[5]) / 2; }},
                     {"angular momentum", "kg m²/s", spin},
                     {"length", "m", [](const State& s) { return difference(s.x).norm(); }}};
-  return simulate(system, method, start, options);
+  return march(system, start, options);
 }
 
 /// The values of f at the times of the run.

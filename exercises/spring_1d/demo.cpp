@@ -16,13 +16,12 @@ double forceOn(double x) { return m * submission::hangingAcceleration(x, m, top,
 muelle::Trajectory swing(double equilibrium, double duration) {
   const muelle::FunctionSystem system({m},
                                       [](double, muelle::In x, muelle::In, muelle::Out f) { f[0] = forceOn(x[0]); });
-  muelle::SymplecticEuler method;
-  muelle::SimulationOptions options;
+  muelle::MarchOptions options;
   options.h = 1e-3;
   options.duration = duration;
   options.outputEvery = 2;
   options.probes = {muelle::kineticEnergy(system)};
-  return muelle::simulate(system, method, {0.0, {equilibrium + amplitude}, {0.0}, {}}, options);
+  return muelle::march(system, {0.0, {equilibrium + amplitude}, {0.0}, {}}, options);
 }
 
 /// Work of the spring and gravity on the node since the start [J], by the trapezium rule along its path.

@@ -32,13 +32,12 @@ MUELLE_DEMO {
   const muelle::FunctionSystem system({m, m, m}, [](double, muelle::In x, muelle::In, muelle::Out f) {
     muelle::node3(f, 0) = forceAt(muelle::node3(x, 0));
   });
-  muelle::SymplecticEuler method;
-  muelle::SimulationOptions options;
+  muelle::MarchOptions options;
   options.h = 2e-3;
   options.duration = 5.0;
   options.outputEvery = 2;
   options.probes = {muelle::kineticEnergy(system)};
-  const muelle::Trajectory run = muelle::simulate(system, method, {0.0, {0.8, 0, -1.0}, {0, 0, 0}, {}}, options);
+  const muelle::Trajectory run = muelle::march(system, {0.0, {0.8, 0, -1.0}, {0, 0, 0}, {}}, options);
 
   const std::vector<double> z = run.position(2);
   const std::vector<double>& kinetic = run.track("kinetic energy");

@@ -31,8 +31,7 @@ muelle::Trajectory fly() {
   muelle::State start;
   start.x = {-0.6, -0.3, 0.0, 0.7, -0.4, 0.0, 0.1, 0.7, 0.0};
   start.v = {1.9, -1.6, 0.2, 2.2, 2.3, -0.1, -1.1, 0.5, 0.3};  // 3 rad/s about z, and a drift
-  muelle::SymplecticEuler method;
-  muelle::SimulationOptions options;
+  muelle::MarchOptions options;
   options.h = 1e-3;
   options.duration = duration;
   options.outputEvery = 4;
@@ -41,7 +40,7 @@ muelle::Trajectory fly() {
     options.probes.push_back(linearMomentum(system, axis));
     options.probes.push_back(angularMomentum(system, axis));
   }
-  return simulate(system, method, start, options);
+  return march(system, start, options);
 }
 
 /// The tracks of the momentum along x, y, z, in the order in which fly() asks for them.

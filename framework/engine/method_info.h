@@ -36,7 +36,7 @@ struct MethodInfo {
   bool conservesMomentum = false;  ///< linear momentum, to round-off
   bool conservesAngularMomentum = false;
   bool iterative = false;  ///< stops iterating before it converges (XPBD, projective dynamics): an error of its own
-  bool holdsRods = false;  ///< keeps the length of rods (System::rods)
+  bool holdsRods = false;  ///< keeps the length of rods (DynamicalSystem::rods)
   Stability stability = Stability::Limited;
   double imaginaryLimit = 0.0;  ///< largest h omega on an undamped oscillator; infinite when A-stable
   double realLimit = 0.0;       ///< largest h lambda on x' = -lambda x; infinite when A-stable

@@ -16,8 +16,8 @@
 
 #include "harness/figure.h"
 #include "harness/function_system.h"
+#include "harness/march.h"
 #include "harness/mesh.h"
-#include "harness/simulate.h"
 #include "harness/symplectic_euler.h"
 
 #include <vector>

@@ -3,7 +3,7 @@
 
 namespace muelle {
 
-/// The problem M a = F(t, x, v; z): what is simulated. The method that advances it is an Integrator.
+/// The problem M a = F(t, x, v; z): what is simulated. What advances it by a step is a Step (march.h).
 /// (Slide "Formulación Multidimensional".)
 class DynamicalSystem {
  public:

@@ -9,10 +9,10 @@
 
 namespace muelle {
 
-/// Watches a run for what simulate() stops at: numbers that are not finite and energy that explodes.
+/// Watches a run for what march() stops at: numbers that are not finite and energy that explodes.
 class RunMonitor {
  public:
-  /// \param explosion, duration, dimension as in SimulationOptions
+  /// \param explosion, duration, dimension as in MarchOptions
   RunMonitor(const DynamicalSystem& system, double explosion, double duration, int dimension);
   /// The same with names of the caller's for the unknowns, for systems that number them otherwise, and with the energy
   /// [J] of what is stretched, which then counts as well: near its limit a method may carry little in its velocities.

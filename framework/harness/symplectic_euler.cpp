@@ -4,15 +4,12 @@
 
 namespace muelle {
 
-void SymplecticEuler::prepare(const DynamicalSystem& system) {
-  force_.assign(static_cast<std::size_t>(system.size()), 0.0);
-}
-
-void SymplecticEuler::step(const DynamicalSystem& system, const State& from, double h, State& to) {
-  system.force(from.t, from.x, from.v, from.z, force_);
+void symplecticEulerStep(const DynamicalSystem& system, const State& from, double h, State& to) {
+  system.force(from.t, from.x, from.v, from.z, to.v);
   const std::span<const double> mass = system.mass();
-  for (std::size_t i = 0; i < force_.size(); ++i) {
-    to.v[i] = from.v[i] + h * force_[i] / mass[i];
+  for (std::size_t i = 0; i < mass.size(); ++i) {
+    const double force = to.v[i];
+    to.v[i] = from.v[i] + h * force / mass[i];
     to.x[i] = from.x[i] + h * to.v[i];
   }
   std::copy(from.z.begin(), from.z.end(), to.z.begin());

@@ -3,7 +3,7 @@
 /// Systems whose motion is known in closed form.
 
 #include "harness/function_system.h"
-#include "harness/simulate.h"
+#include "harness/march.h"
 #include "harness/symplectic_euler.h"
 
 namespace muelle {
@@ -19,9 +19,8 @@ inline FunctionSystem projectile(double m, const Vec3& force) {
 }
 
 /// Runs symplectic Euler.
-inline Trajectory run(const DynamicalSystem& system, State start, const SimulationOptions& options) {
-  SymplecticEuler method;
-  return simulate(system, method, std::move(start), options);
+inline Trajectory run(const DynamicalSystem& system, State start, const MarchOptions& options) {
+  return march(system, std::move(start), options);
 }
 
 }  // namespace muelle

@@ -1,6 +1,6 @@
 #pragma once
 #include "engine/analysis/test_oscillator.h"
-#include "engine/method.h"
+#include "engine/integrator.h"
 
 namespace muelle::engine {
 
@@ -9,7 +9,7 @@ namespace muelle::engine {
 class Amplification {
  public:
   /// Runs `method` on systems of its own: prepare() it again before it goes on with another one.
-  explicit Amplification(Method& method) : method_(method) {}
+  explicit Amplification(Integrator& method) : method_(method) {}
 
   /// Spectral radius of a step: the factor by which the state grows a step in the long run. 1 when neither grows nor
   /// decays. The arguments have no dimension: (h omega)^2, h c, h d. A method with memory is run for 200 steps.
@@ -32,7 +32,7 @@ class Amplification {
  private:
   double growthWithMemory();
 
-  Method& method_;
+  Integrator& method_;
   TestOscillator oscillator_;
 };
 

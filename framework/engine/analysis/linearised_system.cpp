@@ -31,7 +31,7 @@ struct LinearisedSystem::Matrices {
   SystemMatrix K, D;
 };
 
-LinearisedSystem::LinearisedSystem(const System& system, const State& state) : system_(system), state_(state) {
+LinearisedSystem::LinearisedSystem(const DynamicalSystem& system, const State& state) : system_(system), state_(state) {
   if (state_.z.empty()) state_.z.assign(static_cast<std::size_t>(system.internalSize()), 0.0);
   const Linearisation* linearisation = system.linearisation();
   if (linearisation == nullptr) return;

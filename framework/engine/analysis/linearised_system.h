@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/system.h"
+#include "engine/dynamical_system.h"
 
 #include <memory>
 #include <vector>
@@ -11,13 +11,13 @@ namespace muelle::engine {
 /// differences of the force, two evaluations each.
 class LinearisedSystem {
  public:
-  LinearisedSystem(const System& system, const State& state);
+  LinearisedSystem(const DynamicalSystem& system, const State& state);
   ~LinearisedSystem();
   LinearisedSystem(const LinearisedSystem&) = delete;
   LinearisedSystem& operator=(const LinearisedSystem&) = delete;
 
   int size() const;
-  const System& system() const { return system_; }
+  const DynamicalSystem& system() const { return system_; }
   /// Overwrites out with K y; with D y, drag included; and with the drag's part of D y.
   void stiffness(In y, Out out) const;
   void damping(In y, Out out) const;
@@ -29,7 +29,7 @@ class LinearisedSystem {
   struct Matrices;
   void difference(In y, bool ofVelocity, Out out) const;
 
-  const System& system_;
+  const DynamicalSystem& system_;
   State state_;
   std::unique_ptr<Matrices> matrices_;  // null: by differences
 };

@@ -13,14 +13,14 @@ namespace muelle::engine {
 
 namespace {
 
-double massProduct(const System& system, const std::vector<double>& y) {
+double massProduct(const DynamicalSystem& system, const std::vector<double>& y) {
   double sum = 0.0;
   for (std::size_t i = 0; i < y.size(); ++i) sum += system.mass()[i] * y[i] * y[i];
   return sum;
 }
 
 /// Adds the modes that hold energy at a state, `energy` in joule.
-void addModes(const System& system, const State& state, std::vector<Mode>& modes) {
+void addModes(const DynamicalSystem& system, const State& state, std::vector<Mode>& modes) {
   const LinearisedSystem linearised(system, state);
   const double kinetic = 0.5 * massProduct(system, state.v);
   for (Mode mode : modesOf(linearised, state.v)) {
@@ -42,7 +42,7 @@ void addModes(const System& system, const State& state, std::vector<Mode>& modes
 }
 
 /// The state after the pilot's steps, or the last that could be had.
-State pilot(const System& system, Method& method, State state, double h, int steps) {
+State pilot(const DynamicalSystem& system, Integrator& method, State state, double h, int steps) {
   method.prepare(system, {});
   method.restart();
   State to = state;
@@ -57,7 +57,8 @@ State pilot(const System& system, Method& method, State state, double h, int ste
 
 }  // namespace
 
-NumericalDamping numericalDamping(const System& system, Method& method, const State& start, double h, double duration) {
+NumericalDamping numericalDamping(const DynamicalSystem& system, Integrator& method, const State& start, double h,
+                                  double duration) {
   NumericalDamping result;
   Amplification amplification(method);
   // Most methods keep the amplitude of an undamped mode: nothing to look for.

@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/method.h"
+#include "engine/integrator.h"
 
 #include <string>
 
@@ -21,6 +21,7 @@ struct NumericalDamping {
 /// in `duration` is not worth a word.
 ///
 /// `method` is run on systems of the function's own and on `system`: prepare() it again before it goes on.
-NumericalDamping numericalDamping(const System& system, Method& method, const State& start, double h, double duration);
+NumericalDamping numericalDamping(const DynamicalSystem& system, Integrator& method, const State& start, double h,
+                                  double duration);
 
 }  // namespace muelle::engine

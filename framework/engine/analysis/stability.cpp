@@ -62,7 +62,7 @@ std::string sentenceOf(const StabilityReport& report, const MethodInfo& method) 
 }
 
 /// The state with everything closed that may close.
-State closed(const System& system, State state) {
+State closed(const DynamicalSystem& system, State state) {
   if (system.switching() != nullptr) system.switching()->close(state);
   return state;
 }
@@ -72,7 +72,7 @@ bool isUnconditional(const MethodInfo& method) {
   return method.stability == Stability::AStable || method.stability == Stability::LStable;
 }
 
-StabilityReport report(const System& system, Method& method, const std::vector<Mode>& modes) {
+StabilityReport report(const DynamicalSystem& system, Integrator& method, const std::vector<Mode>& modes) {
   StabilityReport result;
   Amplification amplification(method);
   for (const Mode& mode : modes) {
@@ -94,12 +94,13 @@ StabilityReport report(const System& system, Method& method, const std::vector<M
 
 }  // namespace
 
-StabilityReport stability(const System& system, Method& method, const State& state) {
+StabilityReport stability(const DynamicalSystem& system, Integrator& method, const State& state) {
   if (isUnconditional(method.info())) return report(system, method, {});
   return report(system, method, cleanModes(LinearisedSystem(system, closed(system, state))));
 }
 
-std::string instabilityWarning(const System& system, Method& method, const State& state, double h, double steps) {
+std::string instabilityWarning(const DynamicalSystem& system, Integrator& method, const State& state, double h,
+                               double steps) {
   if (isUnconditional(method.info())) return {};
   const std::vector<Mode> modes = cleanModes(LinearisedSystem(system, closed(system, state)));
   Amplification amplification(method);
@@ -113,7 +114,8 @@ std::string instabilityWarning(const System& system, Method& method, const State
                      report(system, method, modes).sentence);
 }
 
-std::string lateInstabilityWarning(const System& system, const MethodInfo& method, const State& state, double h) {
+std::string lateInstabilityWarning(const DynamicalSystem& system, const MethodInfo& method, const State& state,
+                                   double h) {
   if (isUnconditional(method) || !(method.imaginaryLimit > 0.0) || std::isinf(method.imaginaryLimit)) return {};
   Mode fastest;
   for (const Mode& mode : cleanModes(LinearisedSystem(system, state))) {

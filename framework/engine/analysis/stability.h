@@ -1,6 +1,6 @@
 #pragma once
 #include "engine/analysis/spectrum.h"
-#include "engine/method.h"
+#include "engine/integrator.h"
 
 #include <limits>
 #include <string>
@@ -27,14 +27,16 @@ struct StabilityReport {
 /// commute, the limit is an estimate, off by a few per cent.
 ///
 /// `method` is run on systems of the function's own: prepare() it again before it goes on with another one.
-StabilityReport stability(const System& system, Method& method, const State& state);
+StabilityReport stability(const DynamicalSystem& system, Integrator& method, const State& state);
 
 /// What a step of h does: one sentence with the limit when, over `steps` steps, an unstable mode grows tenfold or more;
 /// empty otherwise. Cheaper than stability() when all is well. `method` as above.
-std::string instabilityWarning(const System& system, Method& method, const State& state, double h, double steps);
+std::string instabilityWarning(const DynamicalSystem& system, Integrator& method, const State& state, double h,
+                               double steps);
 
 /// The same during a run, where modes have switched on: by the method's known limit of h omega on undamped modes, so
 /// that the method itself is left alone. Empty where it has none.
-std::string lateInstabilityWarning(const System& system, const MethodInfo& method, const State& state, double h);
+std::string lateInstabilityWarning(const DynamicalSystem& system, const MethodInfo& method, const State& state,
+                                   double h);
 
 }  // namespace muelle::engine

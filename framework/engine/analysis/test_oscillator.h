@@ -1,12 +1,12 @@
 #pragma once
-#include "engine/system.h"
+#include "engine/dynamical_system.h"
 
 namespace muelle::engine {
 
 /// The scalar test equation of the methods, x'' = -stiffness x - (damping + drag) v with mass 1, offered with every
 /// capability that a method may need. Damping is a force between things (a spring's), drag the kind that a method may
 /// integrate exactly.
-class TestOscillator : public System, public Potential, public Drag, public Linearisation, public Constraints {
+class TestOscillator : public DynamicalSystem, public Potential, public Drag, public Linearisation, public Constraints {
  public:
   double stiffness = 1.0;  ///< [1/s^2]; negative on a saddle
   double damping = 0.0;    ///< [1/s]

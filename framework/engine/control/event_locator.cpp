@@ -25,7 +25,7 @@ void moveAlong(const State& state, double dt, const std::vector<double>& acceler
 
 }  // namespace
 
-EventLocator::EventLocator(const System& system, Method& method, Stepper& stepper)
+EventLocator::EventLocator(const DynamicalSystem& system, Integrator& method, Stepper& stepper)
     : system_(system), switching_(*system.switching()), method_(method), stepper_(stepper) {
   const auto count = static_cast<std::size_t>(switching_.guardCount());
   side_.assign(count, 0);

@@ -16,7 +16,7 @@ namespace muelle::engine {
 /// it is exactly 0 or on the near side by a rounding just after its event.
 class EventLocator {
  public:
-  EventLocator(const System& system, Method& method, Stepper& stepper);
+  EventLocator(const DynamicalSystem& system, Integrator& method, Stepper& stepper);
 
   /// Takes the sides at the begin of a run, or after commits that may have changed any mode. When a guard is exactly 0
   /// there, z is set for the state a moment later (a fraction of h), so that the mode fits where the motion goes.
@@ -46,9 +46,9 @@ class EventLocator {
   double denseRoot(int i, const State& from, const State& to, double low, double high);
   Found refine(int i, double guess, const State& from, State& to);
 
-  const System& system_;
+  const DynamicalSystem& system_;
   const Switching& switching_;
-  Method& method_;
+  Integrator& method_;
   Stepper& stepper_;
   std::vector<int> side_;  // +1, -1, or 0 while a guard has been exactly 0 since the start
   std::vector<double> values_, atFrom_, atTo_, slopeFrom_, slopeTo_;

@@ -8,7 +8,7 @@ namespace muelle::engine {
 namespace {
 
 /// The mean velocity by mass, a component for each dimension.
-std::vector<double> meanVelocity(const System& system, const State& state) {
+std::vector<double> meanVelocity(const DynamicalSystem& system, const State& state) {
   const auto dimension = static_cast<std::size_t>(system.dimension());
   std::vector<double> momentum(dimension, 0.0), mass(dimension, 0.0);
   for (std::size_t i = 0; i < state.v.size(); ++i) {
@@ -34,7 +34,7 @@ double longestSide(const std::vector<double>& x, std::size_t dimension) {
 }
 
 /// The largest acceleration of an unknown [m/s^2]; 0 where it is not finite.
-double largestAcceleration(const System& system, const State& state) {
+double largestAcceleration(const DynamicalSystem& system, const State& state) {
   std::vector<double> force(state.x.size());
   system.force(state.t, state.x, state.v, state.z, force);
   double largest = 0.0;
@@ -44,14 +44,14 @@ double largestAcceleration(const System& system, const State& state) {
 
 }  // namespace
 
-MotionFrame::MotionFrame(const System& system, const State& start)
+MotionFrame::MotionFrame(const DynamicalSystem& system, const State& start)
     : dimension_(static_cast<std::size_t>(system.dimension())), startTime_(start.t), drift_(dimension_, 0.0) {
   system.everyNode(start, start_, v_);
   if (!system.isTied()) drift_ = meanVelocity(system, start);
   extent_ = longestSide(start_, dimension_);
 }
 
-ErrorScale MotionFrame::sizeAt(const System& system, const State& state) {
+ErrorScale MotionFrame::sizeAt(const DynamicalSystem& system, const State& state) {
   system.everyNode(state, x_, v_);
   const double passed = state.t - startTime_;
   double position = 0.0, velocity = 0.0;
@@ -69,7 +69,7 @@ ErrorScale MotionFrame::sizeAt(const System& system, const State& state) {
   return {std::sqrt(position), std::sqrt(velocity)};
 }
 
-MotionScale::MotionScale(const System& system, const State& start, double duration)
+MotionScale::MotionScale(const DynamicalSystem& system, const State& start, double duration)
     : frame_(system, start), duration_(duration), leastPosition_(1e-3 * frame_.extent()) {
   follow(system, start);
   if (leastPosition_ > 0.0 || largest_.velocity > 0.0) return;
@@ -77,7 +77,7 @@ MotionScale::MotionScale(const System& system, const State& start, double durati
   if (leastPosition_ == 0.0) leastPosition_ = 1.0;
 }
 
-void MotionScale::follow(const System& system, const State& state) {
+void MotionScale::follow(const DynamicalSystem& system, const State& state) {
   const ErrorScale size = frame_.sizeAt(system, state);
   largest_.position = std::max(largest_.position, size.position);
   largest_.velocity = std::max(largest_.velocity, size.velocity);

@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/method.h"
+#include "engine/integrator.h"
 
 #include <vector>
 
@@ -11,10 +11,10 @@ namespace muelle::engine {
 class MotionFrame {
  public:
   /// \param start  the state of the run's beginning
-  MotionFrame(const System& system, const State& start);
+  MotionFrame(const DynamicalSystem& system, const State& start);
 
   /// The largest |y| [m] and |v - V| [m/s] of a node in this state.
-  ErrorScale sizeAt(const System& system, const State& state);
+  ErrorScale sizeAt(const DynamicalSystem& system, const State& state);
   /// V [m/s], a component for each dimension.
   const std::vector<double>& drift() const { return drift_; }
   /// The longest side of the box around all nodes at the start [m].
@@ -35,10 +35,10 @@ class MotionFrame {
 class MotionScale {
  public:
   /// \param duration of the run [s]
-  MotionScale(const System& system, const State& start, double duration);
+  MotionScale(const DynamicalSystem& system, const State& start, double duration);
 
   /// Takes note of an accepted state.
-  void follow(const System& system, const State& state);
+  void follow(const DynamicalSystem& system, const State& state);
   ErrorScale scale() const;
 
  private:

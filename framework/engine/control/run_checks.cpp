@@ -68,7 +68,7 @@ void checkOptions(const RunOptions& options, const State& start, bool adaptive) 
           "be positive");
 }
 
-void checkForesight(const System& system, const MethodInfo& method, const RunOptions& options) {
+void checkForesight(const DynamicalSystem& system, const MethodInfo& method, const RunOptions& options) {
   const bool blind = method.adaptive && !options.fixedStep && system.hasUnannouncedForce();
   require(!blind || std::isfinite(options.largestStep),
           fmt::format("a force changes with time without declared times, and {} could step over it; set largestStep "
@@ -76,14 +76,14 @@ void checkForesight(const System& system, const MethodInfo& method, const RunOpt
                       method.name));
 }
 
-void checkRodsAreHeld(const System& system, const MethodInfo& method) {
+void checkRodsAreHeld(const DynamicalSystem& system, const MethodInfo& method) {
   require(system.rods().empty() || method.holdsRods,
           fmt::format("{} does not hold rods, and the scene has {}; use the method 'rattle', or give the springs a "
                       "stiffness k in place of rod = true",
                       method.id, system.rods().size()));
 }
 
-void checkSizes(const System& system, const State& start) {
+void checkSizes(const DynamicalSystem& system, const State& start) {
   const auto size = static_cast<std::size_t>(system.size());
   require(size > 0, "the system has no unknown");
   require(start.x.size() == size && start.v.size() == size,

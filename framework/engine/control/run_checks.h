@@ -7,10 +7,10 @@ namespace muelle::engine {
 void checkOptions(const RunOptions& options, const State& start, bool adaptive);
 /// Throws std::invalid_argument when an adaptive method without a largest step could step over a force that no declared
 /// time announces: its error estimate never sees what lies between its stages.
-void checkForesight(const System& system, const MethodInfo& method, const RunOptions& options);
+void checkForesight(const DynamicalSystem& system, const MethodInfo& method, const RunOptions& options);
 /// Throws std::invalid_argument when sizes, masses or the start time make no sense.
-void checkSizes(const System& system, const State& start);
+void checkSizes(const DynamicalSystem& system, const State& start);
 /// Throws std::invalid_argument when the system has rods and the method does not hold them.
-void checkRodsAreHeld(const System& system, const MethodInfo& method);
+void checkRodsAreHeld(const DynamicalSystem& system, const MethodInfo& method);
 
 }  // namespace muelle::engine

@@ -62,7 +62,7 @@ double RunRecorder::due() const {
   return index < samples.size() ? samples[index] : std::numeric_limits<double>::infinity();
 }
 
-void RunRecorder::recordInside(const System& system, Method& method, const State& from, const State& to) {
+void RunRecorder::recordInside(const DynamicalSystem& system, Integrator& method, const State& from, const State& to) {
   endDue_ = options_.outputInterval == 0.0 && options_.sampleTimes.empty();
   if (endDue_) return;
   const double h = to.t - from.t;

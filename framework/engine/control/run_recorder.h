@@ -13,7 +13,7 @@ class RunRecorder {
   void recordOnce(const State& state);
   /// Records the outputs that lie inside the step from `from` to `to`, by the method's dense output. To be called
   /// before the method's accept().
-  void recordInside(const System& system, Method& method, const State& from, const State& to);
+  void recordInside(const DynamicalSystem& system, Integrator& method, const State& from, const State& to);
   /// Records `state`, which a step has reached, when an output is due there.
   void recordEnd(const State& state, bool asked);
   Trajectory finish(StopReport stop);

@@ -31,14 +31,14 @@ constexpr std::size_t mostKeptEvents = 10'000;
 constexpr int mostLooks = 3;       // at the stability during a run
 constexpr int mostCrossings = 20;  // of one guard within a step
 
-std::vector<double> declaredTimes(const System& system, double from, double to) {
+std::vector<double> declaredTimes(const DynamicalSystem& system, double from, double to) {
   std::vector<double> times;
   if (system.switching() != nullptr) system.switching()->declaredTimes(from, to, times);
   return times;
 }
 
 /// The energy of all that has one, for the monitor; empty when the system has none.
-std::function<double(const State&)> potentialEnergyOf(const System& system) {
+std::function<double(const State&)> potentialEnergyOf(const DynamicalSystem& system) {
   const Potential* potential = system.potential();
   if (potential == nullptr) return {};
   return [potential](const State& state) { return potential->energy(state.t, state.x, state.z); };
@@ -47,7 +47,7 @@ std::function<double(const State&)> potentialEnergyOf(const System& system) {
 /// One run: plans each step, takes it, looks at what came out, and goes on from there.
 class Run {
  public:
-  Run(const System& system, Method& method, State start, const RunOptions& options);
+  Run(const DynamicalSystem& system, Integrator& method, State start, const RunOptions& options);
   RunResult go();
 
  private:
@@ -79,8 +79,8 @@ class Run {
   double shortestStep() const;
   RunResult finish();
 
-  const System& system_;
-  Method& method_;
+  const DynamicalSystem& system_;
+  Integrator& method_;
   const RunOptions& options_;
   const Switching* switching_;
   bool adaptive_;
@@ -110,7 +110,7 @@ class Run {
   bool warnedOfFailures_ = false;
 };
 
-Run::Run(const System& system, Method& method, State start, const RunOptions& options)
+Run::Run(const DynamicalSystem& system, Integrator& method, State start, const RunOptions& options)
     : system_(system),
       method_(method),
       options_(options),
@@ -471,7 +471,7 @@ RunResult Run::finish() {
 
 }  // namespace
 
-RunResult simulate(const System& system, Method& method, State start, const RunOptions& options) {
+RunResult simulate(const DynamicalSystem& system, Integrator& method, State start, const RunOptions& options) {
   checkSizes(system, start);
   checkOptions(options, start, method.info().adaptive && !options.fixedStep);
   checkForesight(system, method.info(), options);

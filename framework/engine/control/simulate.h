@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/method.h"
+#include "engine/integrator.h"
 #include "harness/probes.h"
 #include "harness/trajectory.h"
 
@@ -70,6 +70,6 @@ struct RunResult {
 ///
 /// Throws std::invalid_argument on sizes, masses or options that make no sense, and when the system lacks what the
 /// method needs.
-RunResult simulate(const System& system, Method& method, State start, const RunOptions& options);
+RunResult simulate(const DynamicalSystem& system, Integrator& method, State start, const RunOptions& options);
 
 }  // namespace muelle::engine

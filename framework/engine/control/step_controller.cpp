@@ -33,7 +33,7 @@ void StepController::fail(double length) {
 
 namespace {
 
-void acceleration(const System& system, const State& state, std::vector<double>& a) {
+void acceleration(const DynamicalSystem& system, const State& state, std::vector<double>& a) {
   system.force(state.t, state.x, state.v, state.z, a);
   for (std::size_t i = 0; i < a.size(); ++i) a[i] /= system.mass()[i];
 }
@@ -46,8 +46,8 @@ double largest(const std::vector<double>& values) {
 
 }  // namespace
 
-double firstStep(const System& system, const State& start, int order, double tolerance, const ErrorScale& scale,
-                 double duration, Work& work) {
+double firstStep(const DynamicalSystem& system, const State& start, int order, double tolerance,
+                 const ErrorScale& scale, double duration, Work& work) {
   const std::size_t n = start.x.size();
   std::vector<double> a0(n), a1(n);
   acceleration(system, start, a0);

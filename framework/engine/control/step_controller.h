@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/method.h"
+#include "engine/integrator.h"
 
 namespace muelle::engine {
 
@@ -33,7 +33,7 @@ class StepController {
 /// A first step [s] after Hairer, Norsett and Wanner I, section II.4: such that an explicit Euler step changes the
 /// state by a hundredth of the motion's scale, and the method's first error is about a hundredth of the tolerance. Two
 /// force evaluations, which are added to `work`.
-double firstStep(const System& system, const State& start, int order, double tolerance, const ErrorScale& scale,
-                 double duration, Work& work);
+double firstStep(const DynamicalSystem& system, const State& start, int order, double tolerance,
+                 const ErrorScale& scale, double duration, Work& work);
 
 }  // namespace muelle::engine

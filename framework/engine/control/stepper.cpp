@@ -21,7 +21,7 @@ void addCompensated(const std::vector<double>& from, const std::vector<double>& 
 
 }  // namespace
 
-Stepper::Stepper(const System& system, Method& method, bool compensated, std::size_t size)
+Stepper::Stepper(const DynamicalSystem& system, Integrator& method, bool compensated, std::size_t size)
     : system_(system), method_(method), compensated_(compensated) {
   if (!compensated) return;
   for (Low* low : {&low_, &nextLow_}) {

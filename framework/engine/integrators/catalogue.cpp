@@ -14,7 +14,7 @@ namespace muelle::engine {
 
 namespace {
 
-using MakeMethod = std::unique_ptr<Method> (*)();
+using MakeMethod = std::unique_ptr<Integrator> (*)();
 
 constexpr MakeMethod makers[] = {
     explicitEuler,
@@ -151,7 +151,7 @@ std::string methodSuggestion(const std::string& word) {
   return suggestion(word, methodIds());
 }
 
-std::unique_ptr<Method> makeMethod(std::string_view id) { return makers[indexOf(id)](); }
+std::unique_ptr<Integrator> makeMethod(std::string_view id) { return makers[indexOf(id)](); }
 
 const MethodInfo& methodInfo(std::string_view id) { return allInfo()[indexOf(id)]; }
 

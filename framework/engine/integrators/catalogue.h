@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/method.h"
+#include "engine/integrator.h"
 
 #include <memory>
 #include <string>
@@ -16,7 +16,7 @@ const std::vector<std::string>& methodIds();
 std::string methodSuggestion(const std::string& word);
 
 /// A method by its id ("velocity_verlet"); throws std::invalid_argument with methodSuggestion().
-std::unique_ptr<Method> makeMethod(std::string_view id);
+std::unique_ptr<Integrator> makeMethod(std::string_view id);
 
 /// The facts about a method by its id; throws as makeMethod.
 const MethodInfo& methodInfo(std::string_view id);

@@ -1,15 +1,15 @@
 #pragma once
+#include "engine/dynamical_system.h"
 #include "engine/model/model.h"
-#include "engine/system.h"
 
 #include <memory>
 
 namespace muelle::engine {
 
-/// A built model: a System, and the way back to the user's numbering of nodes.
+/// A built model: a DynamicalSystem, and the way back to the user's numbering of nodes.
 ///
 /// Inside, pinned and moved nodes are no unknowns and the free nodes are renumbered so that neighbours lie close.
-class ModelSystem : public System {
+class ModelSystem : public DynamicalSystem {
  public:
   /// Positions and velocities as the model states them, at t = 0, with z set for them (live modes).
   virtual State initialState() const = 0;

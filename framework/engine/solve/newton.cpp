@@ -27,7 +27,7 @@ Out out(Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 
 }  // namespace
 
-void Newton::prepare(const System& system) {
+void Newton::prepare(const DynamicalSystem& system) {
   if (system.linearisation() == nullptr) {
     throw std::invalid_argument("an implicit method needs the derivatives of the force (linearisation)");
   }
@@ -251,8 +251,8 @@ bool Newton::solveWithLastMatrix(const Vector& b, Vector& x, Work& work) {
   return solver_.solve(b, x).empty();
 }
 
-NewtonReport Newton::solve(const System& system, const ImplicitStage& stage, const NewtonOptions& options, Vector& w,
-                           Work& work) {
+NewtonReport Newton::solve(const DynamicalSystem& system, const ImplicitStage& stage, const NewtonOptions& options,
+                           Vector& w, Work& work) {
   stage_ = &stage;
   work_ = &work;
   system_ = &system;

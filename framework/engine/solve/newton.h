@@ -1,6 +1,6 @@
 #pragma once
+#include "engine/dynamical_system.h"
 #include "engine/solve/linear_solver.h"
-#include "engine/system.h"
 #include "engine/work.h"
 
 #include <array>
@@ -62,10 +62,10 @@ struct NewtonReport {
 class Newton {
  public:
   /// Allocates for the system; throws std::invalid_argument when it has no linearisation.
-  void prepare(const System& system);
+  void prepare(const DynamicalSystem& system);
   /// Solves from the guess in w and leaves the solution there.
-  NewtonReport solve(const System& system, const ImplicitStage& stage, const NewtonOptions& options, Eigen::VectorXd& w,
-                     Work& work);
+  NewtonReport solve(const DynamicalSystem& system, const ImplicitStage& stage, const NewtonOptions& options,
+                     Eigen::VectorXd& w, Work& work);
   /// Whether the last solve() had a matrix: it has none where its guess was the solution to the last bit.
   bool hasMatrix() const { return hasMatrix_; }
   /// x = J^-1 b with the last matrix of the last solve(), one near its solution; false when that has none.
@@ -100,7 +100,7 @@ class Newton {
   /// Whether the residual is within the tolerance, or as low as round-off lets it be; sets relative_.
   bool converged(double tolerance, int& worst);
 
-  const System* system_ = nullptr;
+  const DynamicalSystem* system_ = nullptr;
   const ImplicitStage* stage_ = nullptr;
   Work* work_ = nullptr;
   Eigen::Map<const Eigen::VectorXd> mass_{nullptr, 0};

@@ -10,7 +10,7 @@ std::vector<double> externalForces(const ModelSystem& system, double t);
 
 /// A system at one instant: its external forces as dead loads, which have an energy -F . x, so that an equilibrium
 /// carries them. All else is the system's, which must outlive this.
-class AtRest final : public System, private Potential {
+class AtRest final : public DynamicalSystem, private Potential {
  public:
   AtRest(const ModelSystem& system, double t);
 

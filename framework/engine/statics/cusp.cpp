@@ -7,7 +7,7 @@
 
 namespace muelle::engine {
 
-std::vector<int> nodesOnACusp(const System& system, const State& state, double size) {
+std::vector<int> nodesOnACusp(const DynamicalSystem& system, const State& state, double size) {
   using Vector = Eigen::VectorXd;
   const auto count = static_cast<std::size_t>(system.size());
   const Eigen::Index unknowns = system.size();

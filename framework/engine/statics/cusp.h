@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/system.h"
+#include "engine/dynamical_system.h"
 
 #include <vector>
 
@@ -12,6 +12,6 @@ namespace muelle::engine {
 ///
 /// Each node is moved by 1e-6 and by 1e-9 of `size` [m], the length of a typical element; where the force is
 /// continuous the second change is a thousandth of the first.
-std::vector<int> nodesOnACusp(const System& system, const State& state, double size);
+std::vector<int> nodesOnACusp(const DynamicalSystem& system, const State& state, double size);
 
 }  // namespace muelle::engine

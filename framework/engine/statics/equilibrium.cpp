@@ -24,7 +24,7 @@ Out out(Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 /// The search for a minimum: one object a call of equilibrium().
 class Search {
  public:
-  Search(const System& system, const State& start, const StaticOptions& options, StaticResult& result)
+  Search(const DynamicalSystem& system, const State& start, const StaticOptions& options, StaticResult& result)
       : system_(system), options_(options), result_(result), t_(start.t), z_(start.z) {
     x_ = Eigen::Map<const Vector>(start.x.data(), static_cast<Eigen::Index>(start.x.size()));
     rest_ = Vector::Zero(x_.size());
@@ -66,7 +66,7 @@ class Search {
   double lowestCurvature(Vector& along);
   bool leave(const Vector& along);
 
-  const System& system_;
+  const DynamicalSystem& system_;
   const StaticOptions& options_;
   StaticResult& result_;
   double t_;
@@ -275,7 +275,7 @@ void Search::run() {
   }
 }
 
-void check(const System& system, const State& start) {
+void check(const DynamicalSystem& system, const State& start) {
   if (system.potential() == nullptr || system.linearisation() == nullptr) {
     throw std::invalid_argument("an equilibrium needs the energy of the forces (potential) and its derivatives");
   }
@@ -295,7 +295,7 @@ void check(const System& system, const State& start) {
 
 }  // namespace
 
-StaticResult equilibrium(const System& system, State start, const StaticOptions& options) {
+StaticResult equilibrium(const DynamicalSystem& system, State start, const StaticOptions& options) {
   check(system, start);
   start.v.assign(start.x.size(), 0.0);
   if (start.z.size() != static_cast<std::size_t>(system.internalSize())) {

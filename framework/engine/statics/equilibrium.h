@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/system.h"
+#include "engine/dynamical_system.h"
 #include "engine/work.h"
 
 #include <string>
@@ -52,6 +52,6 @@ struct StaticResult {
 /// out; `unbalanced` says what friction would add.
 ///
 /// Throws std::invalid_argument when the system has no potential or no linearisation, or when sizes do not fit.
-StaticResult equilibrium(const System& system, State start, const StaticOptions& options = {});
+StaticResult equilibrium(const DynamicalSystem& system, State start, const StaticOptions& options = {});
 
 }  // namespace muelle::engine

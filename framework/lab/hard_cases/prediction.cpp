@@ -15,7 +15,7 @@ using engine::MethodInfo;
 enum Rule { Refused, Missing, Growth, Cost, Ringing, Iteration, Conservation, Flight, LinearError, Tolerance };
 
 /// The need of the method that the system does not meet; empty when it meets all.
-std::string missingNeed(const MethodInfo& method, const engine::System& system) {
+std::string missingNeed(const MethodInfo& method, const engine::DynamicalSystem& system) {
   const engine::Needs& needs = method.needs;
   if (needs.velocityFreeForce && system.forceUsesVelocity()) return "a force that does not depend on the velocity";
   if (needs.potential && system.potential() == nullptr) return "an energy";
@@ -234,8 +234,8 @@ const std::vector<PredictionRule>& predictionRules() {
   return rules;
 }
 
-Prediction predict(const MethodInfo& method, const Variant& variant, const engine::System& system, double duration,
-                   long long budget) {
+Prediction predict(const MethodInfo& method, const Variant& variant, const engine::DynamicalSystem& system,
+                   double duration, long long budget) {
   if (variant.inputs) return {Expectation::Passes, Refused, 0.0, "refuses them"};
   if (const std::string need = missingNeed(method, system); !need.empty()) {
     return {Expectation::NotApplicable, Missing, 0.0, "needs " + need};

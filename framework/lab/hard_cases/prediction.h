@@ -28,7 +28,7 @@ inline constexpr long long cellBudget = 3'000'000;
 
 /// Predicts from the method's MethodInfo, the case's facts (see completeFacts()) and the system's capabilities. Never
 /// runs the method on the case: at most on a single mode of it.
-Prediction predict(const engine::MethodInfo& method, const Variant& variant, const engine::System& system,
+Prediction predict(const engine::MethodInfo& method, const Variant& variant, const engine::DynamicalSystem& system,
                    double duration, long long budget);
 
 }  // namespace muelle::hard_cases

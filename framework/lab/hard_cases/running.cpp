@@ -42,7 +42,7 @@ engine::RunOptions withTolerance(double tolerance, double duration) {
   return options;
 }
 
-Finished run(const engine::Model& model, engine::Method& method, const engine::RunOptions& options) {
+Finished run(const engine::Model& model, engine::Integrator& method, const engine::RunOptions& options) {
   Finished done;
   done.system = engine::build(model);
   done.result = engine::simulate(*done.system, method, done.system->initialState(), options);
@@ -53,7 +53,8 @@ Finished run(const engine::Model& model, std::string_view method, const engine::
   return run(model, *engine::makeMethod(method), options);
 }
 
-State bareSteps(const engine::System& system, engine::Method& method, State state, double h, long long steps) {
+State bareSteps(const engine::DynamicalSystem& system, engine::Integrator& method, State state, double h,
+                long long steps) {
   method.prepare(system, {});
   State next = state;
   for (long long n = 0; n < steps; ++n) {

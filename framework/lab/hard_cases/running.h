@@ -26,12 +26,13 @@ engine::RunOptions blindStep(double h, double duration);
 engine::RunOptions withTolerance(double tolerance, double duration);
 
 /// Builds the model and runs it from its own start.
-Finished run(const engine::Model& model, engine::Method& method, const engine::RunOptions& options);
+Finished run(const engine::Model& model, engine::Integrator& method, const engine::RunOptions& options);
 Finished run(const engine::Model& model, std::string_view method, const engine::RunOptions& options);
 
 /// `steps` bare steps of h, without anything that simulate() adds: no events, no swept bound, no checks. Stops early
 /// when a step fails. For the failures that simulate() prevents.
-State bareSteps(const engine::System& system, engine::Method& method, State state, double h, long long steps);
+State bareSteps(const engine::DynamicalSystem& system, engine::Integrator& method, State state, double h,
+                long long steps);
 
 /// Deviation in parts of what is expected.
 double relative(double value, double expected);

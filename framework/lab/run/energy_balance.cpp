@@ -67,7 +67,7 @@ double sumOfForces(const ModelSystem& system, const State& state) {
 /// The factor by which the method's own energy may differ from the true one, over the modes of the system with
 /// everything closed that may close; at steps for which no mode of it is known (implicit methods) over all of them.
 double largestSwing(const Scene& scene, const SceneRun& run) {
-  const std::unique_ptr<Method> method = makeMethod(scene.method);
+  const std::unique_ptr<Integrator> method = makeMethod(scene.method);
   Amplification amplification(*method);
   double swing = 1.0;
   if (!run.options.fixedStep) return swing;

@@ -88,7 +88,7 @@ class Refinement {
   const Scene& scene_;
   const SceneRun& run_;
   std::string label_;
-  std::unique_ptr<Method> method_;
+  std::unique_ptr<Integrator> method_;
   std::vector<std::size_t> rows_;
   std::vector<double> times_;
   double wallTime_ = 0.0;
@@ -115,7 +115,7 @@ Scale scaleOf(const Scene& scene, const SceneRun& run, const RunResult& finest) 
 }
 
 /// The shortest period of what acts at any time of the run.
-double shortestPeriod(const System& system, double duration) {
+double shortestPeriod(const engine::DynamicalSystem& system, double duration) {
   constexpr int looks = 200;
   double shortest = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= looks; ++i) shortest = std::min(shortest, system.shortestPeriod(duration * i / looks));
@@ -123,7 +123,7 @@ double shortestPeriod(const System& system, double duration) {
 }
 
 /// The shortest stretch between times at which a force jumps or a motion begins or ends.
-double shortestStretch(const System& system, double duration) {
+double shortestStretch(const engine::DynamicalSystem& system, double duration) {
   std::vector<double> times = {0.0};
   if (system.switching() != nullptr) system.switching()->declaredTimes(0.0, duration, times);
   double shortest = std::numeric_limits<double>::infinity();

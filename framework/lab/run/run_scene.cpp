@@ -186,7 +186,7 @@ RunOptions optionsOf(const Scene& scene) {
 SceneRun runScene(const Scene& scene, const std::string& label) {
   SceneRun run;
   run.system = build(scene.model);
-  const std::unique_ptr<Method> method = makeMethod(scene.method);
+  const std::unique_ptr<Integrator> method = makeMethod(scene.method);
   run.method = method->info();
   run.options = optionsOf(scene);
   run.options.label = label;

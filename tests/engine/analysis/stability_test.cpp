@@ -88,7 +88,7 @@ TEST(Amplification, DecayOfAMethodWithMemoryIsThatOfItsCharacteristicEquation) {
   EXPECT_NEAR(Amplification(*euler).growth(z * z, 0.0), 1.0 / std::sqrt(1.0 + z * z), 1e-10);
 }
 
-double largestStep(const System& system, const char* id) {
+double largestStep(const DynamicalSystem& system, const char* id) {
   const auto method = makeMethod(id);
   return stability(system, *method, restOf(system.size())).largestStep;
 }
@@ -142,7 +142,7 @@ TEST(Stability, ALongChainHasTheLimitOfItsClosedForm) {
 }
 
 /// The spectral radius of a method's step on a linear system, column by column.
-double stepRadius(Method& method, const LinearSystem& system, double h) {
+double stepRadius(Integrator& method, const LinearSystem& system, double h) {
   const int n = system.size();
   method.prepare(system, {});
   Matrix map(2 * n, 2 * n);

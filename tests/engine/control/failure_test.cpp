@@ -26,7 +26,7 @@ RunOptions plain(double h, double duration) {
 }
 
 /// Two unknowns with a force that turns into NaN on the second one after a time.
-class Breaking : public System {
+class Breaking : public DynamicalSystem {
  public:
   int size() const override { return 2; }
   std::span<const double> mass() const override { return mass_; }
@@ -92,18 +92,20 @@ TEST(Failure, NumericalDampingIsToldBeforeTheRun) {
 }
 
 /// A method whose steps above a length fail.
-class Refusing : public Method {
+class Refusing : public Integrator {
  public:
   explicit Refusing(double longest) : method_(testing::classicalRungeKutta()), longest_(longest) {}
   const MethodInfo& info() const override { return method_->info(); }
-  void prepare(const System& system, const Tolerance& tolerance) override { method_->prepare(system, tolerance); }
-  StepResult step(const System& system, const State& from, double h, State& to) override {
+  void prepare(const DynamicalSystem& system, const Tolerance& tolerance) override {
+    method_->prepare(system, tolerance);
+  }
+  StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
     if (h > longest_) return {false, 0.0, "the residual stays at 1"};
     return method_->step(system, from, h, to);
   }
 
  private:
-  std::unique_ptr<Method> method_;
+  std::unique_ptr<Integrator> method_;
   double longest_;
 };
 

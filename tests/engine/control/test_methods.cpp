@@ -15,14 +15,14 @@ struct Slope {
 };
 
 /// What the methods here share: a slope at a state moved along other slopes.
-class SmallMethod : public Method {
+class SmallMethod : public Integrator {
  public:
   explicit SmallMethod(MethodInfo info) : info_(std::move(info)) {}
   const MethodInfo& info() const override { return info_; }
-  void prepare(const System&, const Tolerance& tolerance) override { tolerance_ = tolerance; }
+  void prepare(const DynamicalSystem&, const Tolerance& tolerance) override { tolerance_ = tolerance; }
 
  protected:
-  Slope slopeAt(const System& system, const State& from, double h, double c, const std::vector<Slope>& slopes,
+  Slope slopeAt(const DynamicalSystem& system, const State& from, double h, double c, const std::vector<Slope>& slopes,
                 const Numbers& weights) {
     State at = from;
     at.t += c * h;
@@ -47,7 +47,7 @@ class SmallMethod : public Method {
 class ClassicalRungeKutta : public SmallMethod {
  public:
   using SmallMethod::SmallMethod;
-  StepResult step(const System& system, const State& from, double h, State& to) override {
+  StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
     std::vector<Slope> k;
     k.push_back(slopeAt(system, from, h, 0.0, k, {}));
     k.push_back(slopeAt(system, from, h, 0.5, k, {0.5}));
@@ -64,7 +64,7 @@ class ClassicalRungeKutta : public SmallMethod {
 class BogackiShampine : public SmallMethod {
  public:
   using SmallMethod::SmallMethod;
-  StepResult step(const System& system, const State& from, double h, State& to) override {
+  StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
     std::vector<Slope> k;
     k.push_back(slopeAt(system, from, h, 0.0, k, {}));
     k.push_back(slopeAt(system, from, h, 0.5, k, {0.5}));
@@ -98,7 +98,7 @@ class VerletWithIncrements : public SmallMethod {
  public:
   using SmallMethod::SmallMethod;
   bool hasIncrements() const override { return true; }
-  StepResult stepIncrement(const System& system, const State& from, double h, State& increment) override {
+  StepResult stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) override {
     const Slope before = slopeAt(system, from, h, 0.0, {}, {});
     const std::size_t n = from.x.size();
     State moved = from;
@@ -111,7 +111,7 @@ class VerletWithIncrements : public SmallMethod {
     for (std::size_t i = 0; i < n; ++i) increment.v[i] = 0.5 * h * (before.v[i] + after.v[i]);
     return {};
   }
-  StepResult step(const System& system, const State& from, double h, State& to) override {
+  StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
     StepResult result = stepIncrement(system, from, h, to);
     for (std::size_t i = 0; i < from.x.size(); ++i) {
       to.x[i] += from.x[i];
@@ -134,13 +134,13 @@ MethodInfo facts(std::string id, int order, int stages, bool adaptive, double im
 
 }  // namespace
 
-std::unique_ptr<Method> classicalRungeKutta() {
+std::unique_ptr<Integrator> classicalRungeKutta() {
   return std::make_unique<ClassicalRungeKutta>(facts("rk4 of the tests", 4, 4, false, 2.8284271247461903));
 }
-std::unique_ptr<Method> bogackiShampine() {
+std::unique_ptr<Integrator> bogackiShampine() {
   return std::make_unique<BogackiShampine>(facts("bs32 of the tests", 3, 4, true, 1.7320508075688772));
 }
-std::unique_ptr<Method> verletWithIncrements() {
+std::unique_ptr<Integrator> verletWithIncrements() {
   return std::make_unique<VerletWithIncrements>(facts("verlet of the tests", 2, 2, false, 2.0));
 }
 

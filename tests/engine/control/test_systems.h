@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/system.h"
+#include "engine/dynamical_system.h"
 
 #include <functional>
 
@@ -11,7 +11,7 @@ inline State oscillatorAt(double x, double v) { return {0.0, {x}, {v}, {}}; }
 /// Balls that fall on a plane z = 0 of stiffness k, damped by d, each alone: F = -m g + max(0, -k z - d v) while z < 0.
 /// z_i of the internal variables: 0 live, 1 open, 2 closed. One guard a ball: the height while open, the contact's
 /// force while closed.
-class PenaltyBalls : public System, public Switching {
+class PenaltyBalls : public DynamicalSystem, public Switching {
  public:
   PenaltyBalls(int count, double k, double d, double g)
       : mass_(static_cast<std::size_t>(count), 1.0), k_(k), d_(d), g_(g) {}
@@ -40,7 +40,7 @@ class PenaltyBalls : public System, public Switching {
 };
 
 /// One mass of 1 kg on which `force` acts; it jumps at the declared times, z_0 counting those passed.
-class PulsedMass : public System, public Switching {
+class PulsedMass : public DynamicalSystem, public Switching {
  public:
   PulsedMass(std::function<double(double t, int segment)> force, std::vector<double> times, bool announced = true)
       : force_(std::move(force)), times_(std::move(times)), announced_(announced) {}

@@ -24,7 +24,7 @@ struct EnergyBand {
   double early = 0.0, late = 0.0, last = 0.0;
 };
 
-EnergyBand energyBand(Method& method, const ModelSystem& system, const State& start, double h, long long steps) {
+EnergyBand energyBand(Integrator& method, const ModelSystem& system, const State& start, double h, long long steps) {
   const double initial = system.totalEnergy(start);
   EnergyBand band;
   long long n = 0;
@@ -41,7 +41,7 @@ EnergyBand energyBand(Method& method, const ModelSystem& system, const State& st
 // band; the others multiply the energy by |R(ih)|^2 a step, which the first step shows.
 TEST_P(LongTime, EnergyOfTheOscillator) {
   const ExactScene scene = oscillator();
-  const std::unique_ptr<Method> method = makeMethod(GetParam());
+  const std::unique_ptr<Integrator> method = makeMethod(GetParam());
   const MethodInfo& info = method->info();
   const double h = 2.0 * 3.14159265358979323846 / 25.0;
   const double initial = scene.system->totalEnergy(scene.start);
@@ -69,7 +69,7 @@ TEST_P(LongTime, EnergyOfTheOscillator) {
 // H08: momentum and angular momentum of a free system.
 TEST_P(LongTime, MomentaOfTheFreeTriangle) {
   const std::unique_ptr<ModelSystem> system = build(freeTriangleModel());
-  const std::unique_ptr<Method> method = makeMethod(GetParam());
+  const std::unique_ptr<Integrator> method = makeMethod(GetParam());
   const MethodInfo& info = method->info();
   if (!info.conservesMomentum && !info.conservesAngularMomentum) return;
   const State start = system->initialState();
@@ -97,7 +97,7 @@ TEST_P(LongTime, MomentaOfTheFreeTriangle) {
 // energy and the largest kinetic energy.
 double discreteGradientError(bool compensated, long long steps) {
   const std::unique_ptr<ModelSystem> system = build(elasticPendulumModel());
-  const std::unique_ptr<Method> method = makeMethod("discrete_gradient");
+  const std::unique_ptr<Integrator> method = makeMethod("discrete_gradient");
   const State start = system->initialState();
   double kinetic = 0.0, error = 0.0;
   const double initial = system->totalEnergy(start);
@@ -141,7 +141,7 @@ TEST(LongRun, CompensationKeepsTheModifiedEnergyOfVerlet) {
   const long long steps = isLong() ? 6'283'185 : 100'000;
   const double h = 0.1;
   const auto drift = [&](bool compensated) {
-    const std::unique_ptr<Method> method = makeMethod("velocity_verlet");
+    const std::unique_ptr<Integrator> method = makeMethod("velocity_verlet");
     double largest = 0.0;
     RunOptions options;
     options.h = h;

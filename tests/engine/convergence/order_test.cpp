@@ -31,7 +31,7 @@ std::vector<int> stepCounts(int order) {
 
 /// `duration` holds a few units of the fastest motion; order 12 has to go further to err by more than round-off.
 void expectOrder(const std::string& id, const ExactScene& scene, double duration) {
-  const std::unique_ptr<Method> method = makeMethod(id);
+  const std::unique_ptr<Integrator> method = makeMethod(id);
   const int order = method->info().order;
   if (order > 8) duration *= 5.0;
   const State end = scene.exact(duration);

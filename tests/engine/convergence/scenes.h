@@ -83,7 +83,7 @@ inline Model freeTriangleModel() {
 
 /// Takes `steps` equal steps and looks at each state; every step must be done.
 template <typename Look>
-State run(Method& method, const System& system, State state, double h, long long steps, Look look) {
+State run(Integrator& method, const DynamicalSystem& system, State state, double h, long long steps, Look look) {
   method.prepare(system, {});
   State next = state;
   for (long long n = 0; n < steps; ++n) {
@@ -99,7 +99,7 @@ State run(Method& method, const System& system, State state, double h, long long
   return state;
 }
 
-inline State run(Method& method, const System& system, State state, double h, long long steps) {
+inline State run(Integrator& method, const DynamicalSystem& system, State state, double h, long long steps) {
   return run(method, system, std::move(state), h, steps, [](const State&) {});
 }
 

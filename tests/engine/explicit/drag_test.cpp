@@ -11,9 +11,9 @@ namespace muelle::engine {
 namespace {
 
 using testing::LinearSystem;
-using Make = std::unique_ptr<Method> (*)();
+using Make = std::unique_ptr<Integrator> (*)();
 
-State run(Make make, const System& system, State state, double h, int steps) {
+State run(Make make, const DynamicalSystem& system, State state, double h, int steps) {
   const auto method = make();
   method->prepare(system, {});
   State next;
@@ -67,7 +67,7 @@ State damped(double omega, double d, const State& start, double t) {
   return {.t = t, .x = {x}, .v = {decay * w * (b * c - a * s) - rate * x}, .z = {}};
 }
 
-double order(Make make, const System& system, const State& start, const State& end, int steps) {
+double order(Make make, const DynamicalSystem& system, const State& start, const State& end, int steps) {
   const auto error = [&](int n) {
     const State found = run(make, system, start, end.t / n, n);
     return std::hypot(found.x[0] - end.x[0], found.v[0] - end.v[0]);

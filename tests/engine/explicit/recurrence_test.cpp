@@ -15,7 +15,7 @@ using testing::LinearSystem;
 
 State oscillator(double x, double v) { return {.t = 0.0, .x = {x}, .v = {v}, .z = {}}; }
 
-State run(Method& method, const System& system, State state, double h, int steps) {
+State run(Integrator& method, const DynamicalSystem& system, State state, double h, int steps) {
   method.prepare(system, {});
   State next;
   for (int n = 0; n < steps; ++n) {
@@ -57,7 +57,7 @@ TEST(Recurrence, VelocityVerletTurnsByItsOwnAngle) {
 TEST(Recurrence, RungeKuttaFollowsItsStabilityFunction) {
   using Complex = std::complex<double>;
   struct Case {
-    std::unique_ptr<Method> method;
+    std::unique_ptr<Integrator> method;
     Complex (*R)(Complex);
   };
   Case cases[] = {

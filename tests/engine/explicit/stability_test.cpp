@@ -12,7 +12,7 @@ namespace muelle::engine {
 namespace {
 
 using testing::LinearSystem;
-using Make = std::unique_ptr<Method> (*)();
+using Make = std::unique_ptr<Integrator> (*)();
 
 /// Matrix of one step on (omega x, v), column by column.
 struct StepMatrix {

@@ -16,14 +16,14 @@ namespace muelle::engine {
 namespace {
 
 using testing::LinearSystem;
-using Make = std::unique_ptr<Method> (*)();
+using Make = std::unique_ptr<Integrator> (*)();
 
 constexpr Make all[] = {explicitEuler, symplecticEuler, explicitMidpoint, velocityVerlet,
                         rungeKutta4,   dormandPrince5,  dop853,           nystrom8,
                         nystrom12,     yoshida4,        kahanLi8,         rungeKuttaChebyshev2};
 
 /// A plane elastic pendulum of mass 1, stiffness 20, rest length 1, with a force in time: smooth and not linear.
-class Pendulum : public System {
+class Pendulum : public DynamicalSystem {
  public:
   int size() const override { return 2; }
   std::span<const double> mass() const override { return mass_; }
@@ -51,7 +51,7 @@ double distance(const State& a, const State& b) {
 }
 
 /// The exact state after `duration`, by steps of order 12 that are far below round-off.
-State exact(const System& system, State state, double duration) {
+State exact(const DynamicalSystem& system, State state, double duration) {
   const auto method = nystrom12();
   method->prepare(system, {});
   const int steps = 1 + static_cast<int>(duration / 0.02);

@@ -20,12 +20,12 @@ using testing::SpringNetwork;
 using testing::start;
 using Vector = Eigen::VectorXd;
 
-using Make = std::unique_ptr<Method> (*)();
+using Make = std::unique_ptr<Integrator> (*)();
 constexpr Make methods[] = {backwardEuler,    linearisedBackwardEuler, bdf2, trBdf2, esdirk4, newmark,
                             implicitMidpoint, discreteGradient};
 
 /// A force alone: no energy, no derivatives.
-class Bare : public System {
+class Bare : public DynamicalSystem {
  public:
   int size() const override { return 1; }
   std::span<const double> mass() const override { return mass_; }
@@ -66,7 +66,7 @@ TEST(Failure, OfNumbersThatAreNotFiniteIsReportedInTheSameStep) {
 
 /// A force without potential whose derivatives are not symmetric: x' turns in a plane and is damped. No line search on
 /// an energy can help; the exact Jacobian does.
-class Turning : public System, public Linearisation {
+class Turning : public DynamicalSystem, public Linearisation {
  public:
   int size() const override { return 2; }
   std::span<const double> mass() const override { return mass_; }
@@ -115,7 +115,7 @@ TEST(NonSymmetricJacobian, IsUsedWhereThereIsNoPotential) {
 }
 
 /// A discrete gradient whose equation M w = h F has no solution for any step: F = (w + 1) / h.
-class Unsolvable : public System, public Linearisation, public Potential {
+class Unsolvable : public DynamicalSystem, public Linearisation, public Potential {
  public:
   double h = 0.1;
   int size() const override { return 1; }

@@ -40,7 +40,7 @@ TEST(Order, OfTrBdf2IsTwoOnASwingingChain) {
   for (int i = 1; i < 5; ++i) springs.push_back({.a = i - 1, .b = i, .k = 2000.0, .L0 = 0.2, .damping = 0.5});
   const SpringNetwork system(2, std::vector<double>(5, 0.1), springs, Vector{{0.0, -9.81}});
   const State from = start({0.2, 0.0, 0.4, 0.0, 0.6, 0.0, 0.8, 0.0, 1.0, 0.0});
-  const auto end = [&](Method& method, int steps) { return run(system, method, from, 0.4 / steps, steps); };
+  const auto end = [&](Integrator& method, int steps) { return run(system, method, from, 0.4 / steps, steps); };
   const State exact = end(*esdirk4(), 1600);
   double errors[2];
   for (int i = 0; i < 2; ++i) {

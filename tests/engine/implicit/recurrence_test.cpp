@@ -146,7 +146,7 @@ TEST(ErrorEstimate, FallsWithTheOrderAndStaysBoundedAtFastModes) {
   Tolerance same;  // for all unknowns
   same.relative = 0.0;
   same.relative = 1.0;
-  const auto estimate = [&same](Method& method, const System& system, const State& from, double h) {
+  const auto estimate = [&same](Integrator& method, const DynamicalSystem& system, const State& from, double h) {
     State to = from;
     method.prepare(system, same);
     return method.step(system, from, h, to).error;

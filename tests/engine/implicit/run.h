@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/method.h"
+#include "engine/integrator.h"
 
 #include <gtest/gtest.h>
 #include <utility>
@@ -15,7 +15,7 @@ inline State start(std::vector<double> x, std::vector<double> v = {}) {
 }
 
 /// Takes `steps` equal steps; every one must be done.
-inline State run(const System& system, Method& method, State state, double h, int steps) {
+inline State run(const DynamicalSystem& system, Integrator& method, State state, double h, int steps) {
   method.prepare(system, {});
   State next = state;
   for (int i = 0; i < steps; ++i) {

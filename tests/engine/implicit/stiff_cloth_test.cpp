@@ -50,7 +50,7 @@ struct Hung {
   double end = 0.0;      ///< energy at the end less that at the start [J]
 };
 
-Hung hang(Method& method, int side, double k, double d, double duration) {
+Hung hang(Integrator& method, int side, double k, double d, double duration) {
   const auto system = build(hungCloth(side, k, d));
   const State start = system->initialState();
   RunOptions options;

@@ -12,7 +12,7 @@ namespace {
 constexpr double g = 9.81;
 
 /// Velocity Verlet with a commit after each step, modes live: the plainest way to run a scene.
-void run(const System& system, State& s, double h, int steps, const std::function<void()>& after = {}) {
+void run(const DynamicalSystem& system, State& s, double h, int steps, const std::function<void()>& after = {}) {
   std::vector<double> f = forceOf(system, s);
   for (int n = 0; n < steps; ++n) {
     for (std::size_t i = 0; i < s.x.size(); ++i) {
@@ -47,7 +47,7 @@ Obstacle slab(double k) {
   return box;
 }
 
-double guardOf(const System& system, const State& s) {
+double guardOf(const DynamicalSystem& system, const State& s) {
   std::vector<double> guards(static_cast<std::size_t>(system.switching()->guardCount()));
   system.switching()->guards(s.t, s.x, s.v, s.z, guards);
   return guards[0];

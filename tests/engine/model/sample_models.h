@@ -39,7 +39,7 @@ inline Model sixNodes(int dimension, unsigned seed) {
 }
 
 /// The force on every unknown.
-inline std::vector<double> forceOf(const System& system, const State& s) {
+inline std::vector<double> forceOf(const DynamicalSystem& system, const State& s) {
   std::vector<double> f(s.x.size());
   system.force(s.t, s.x, s.v, s.z, f);
   return f;

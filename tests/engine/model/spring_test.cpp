@@ -18,7 +18,7 @@ Model pair(int dimension, const Vec3& xb, double k, double L0) {
   return model;
 }
 
-Eigen::MatrixXd stiffness(const System& system, const State& s, Form form = Form::Exact) {
+Eigen::MatrixXd stiffness(const DynamicalSystem& system, const State& s, Form form = Form::Exact) {
   SystemMatrix J;
   system.linearisation()->assemble(0.0, 0.0, 1.0, s.t, s.x, s.v, s.z, form, J);
   return J.sparse;

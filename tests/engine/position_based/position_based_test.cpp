@@ -23,7 +23,7 @@ State start(std::vector<double> x) {
   return state;
 }
 
-State run(const System& system, Method& method, State state, double h, int steps) {
+State run(const DynamicalSystem& system, Integrator& method, State state, double h, int steps) {
   method.prepare(system, {});
   State next = state;
   for (int i = 0; i < steps; ++i) {

@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/system.h"
+#include "engine/dynamical_system.h"
 
 #include <Eigen/Core>
 
@@ -7,7 +7,7 @@ namespace muelle::engine::testing {
 
 /// M a = -K x - D v with dense symmetric K and D, with every capability that follows from them: the test equation of
 /// the methods, and the simplest system there is.
-class LinearSystem : public System, public Potential, public Linearisation, public Drag {
+class LinearSystem : public DynamicalSystem, public Potential, public Linearisation, public Drag {
  public:
   LinearSystem(Eigen::VectorXd mass, Eigen::MatrixXd K, Eigen::MatrixXd D);
   /// One unknown of mass 1: a = -omega^2 x - damping v.

@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/system.h"
+#include "engine/dynamical_system.h"
 
 #include <Eigen/Core>
 #include <string>
@@ -9,7 +9,7 @@ namespace muelle::engine::testing {
 
 /// Springs between free nodes and fixed points, with gravity, node drag and projected damping: written from the
 /// formulas of the lecture with dense blocks and no regard for speed, apart from the engine's own forces.
-class SpringNetwork : public System, public Potential, public Linearisation, public Constraints {
+class SpringNetwork : public DynamicalSystem, public Potential, public Linearisation, public Constraints {
  public:
   struct Spring {
     int a = 0;

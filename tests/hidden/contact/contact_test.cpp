@@ -3,7 +3,7 @@
 #include "course/testing/expect.h"
 #include "course/testing/random.h"
 #include "harness/function_system.h"
-#include "harness/simulate.h"
+#include "harness/march.h"
 #include "harness/symplectic_euler.h"
 
 #include <gtest/gtest.h>
@@ -113,11 +113,10 @@ using NodeForce = std::function<Vec3(const Vec3& x, const Vec3& v)>;
 Trajectory run(const Node& node, const NodeForce& force, double h, double duration) {
   const muelle::FunctionSystem system(
       muelle::massesOf({node}), [&](double, In x, In v, Out f) { node3(f, 0) = force(node3(x, 0), node3(v, 0)); });
-  muelle::SymplecticEuler method;
-  muelle::SimulationOptions options;
+  muelle::MarchOptions options;
   options.h = h;
   options.duration = duration;
-  return muelle::simulate(system, method, muelle::stateOf({node}), options);
+  return muelle::march(system, muelle::stateOf({node}), options);
 }
 
 Vec3 positionAt(const Trajectory& trajectory, std::size_t i) { return node3(In(trajectory.x[i]), 0); }

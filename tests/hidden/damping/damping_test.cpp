@@ -3,7 +3,7 @@
 #include "course/testing/expect.h"
 #include "course/testing/random.h"
 #include "harness/function_system.h"
-#include "harness/simulate.h"
+#include "harness/march.h"
 #include "harness/symplectic_euler.h"
 
 #include <fmt/format.h>
@@ -79,12 +79,11 @@ Trajectory run(const Scene& scene, const Damper& damper) {
     node3(f, 1) = -elastic + damper(xb, xa, vb, va) - scene.nodes[1].m * scene.g * Vec3::UnitZ();
   };
   const muelle::FunctionSystem system(muelle::massesOf(scene.nodes), forces);
-  muelle::SymplecticEuler method;
-  muelle::SimulationOptions options;
+  muelle::MarchOptions options;
   options.h = scene.h;
   options.duration = scene.duration;
   options.outputEvery = 25;
-  return muelle::simulate(system, method, muelle::stateOf(scene.nodes), options);
+  return muelle::march(system, muelle::stateOf(scene.nodes), options);
 }
 
 /// Every recorded position and velocity, as one vector.

@@ -3,7 +3,7 @@
 #include "course/testing/expect.h"
 #include "course/testing/random.h"
 #include "harness/function_system.h"
-#include "harness/simulate.h"
+#include "harness/march.h"
 #include "harness/symplectic_euler.h"
 
 #include <gtest/gtest.h>
@@ -481,11 +481,10 @@ Trajectory swing(const Vec6& start, const Forces& forces) {
   muelle::State state;
   state.x.assign(start.begin(), start.end());
   state.v = {0.3, 0.8, -0.2, -0.1, -0.4, 0.5};
-  muelle::SymplecticEuler method;
-  muelle::SimulationOptions options;
+  muelle::MarchOptions options;
   options.h = 2e-3;
   options.duration = 1.2;  // about three swings
-  return muelle::simulate(system, method, state, options);
+  return muelle::march(system, state, options);
 }
 
 Vec6 positions(const Trajectory& run, std::size_t i) { return Eigen::Map<const Vec6>(run.x[i].data()); }

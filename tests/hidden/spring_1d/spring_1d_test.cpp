@@ -3,7 +3,7 @@
 #include "course/testing/expect.h"
 #include "course/testing/random.h"
 #include "harness/function_system.h"
-#include "harness/simulate.h"
+#include "harness/march.h"
 #include "harness/symplectic_euler.h"
 
 #include <gtest/gtest.h>
@@ -157,9 +157,8 @@ TEST(ThirdLaw, MomentumIsConserved) {
       f[0] = onA(x[0], x[1], k, L0);
       f[1] = onB(x[0], x[1], k, L0);
     });
-    muelle::SymplecticEuler method;
-    const muelle::SimulationOptions options{.h = 5e-3, .duration = 1.0, .outputEvery = 10, .probes = {}, .label = ""};
-    return muelle::simulate(system, method, {0.0, {1.4, 0.0}, {0.2, -0.5}, {}}, options);
+    const muelle::MarchOptions options{.h = 5e-3, .duration = 1.0, .outputEvery = 10, .probes = {}, .label = ""};
+    return muelle::march(system, {0.0, {1.4, 0.0}, {0.2, -0.5}, {}}, options);
   };
   const Trajectory run = momentum(submission::springForceOnA, submission::springForceOnB);
   const Trajectory reference = momentum(oracle::springForceOnA, oracle::springForceOnB);
@@ -311,9 +310,8 @@ constexpr double step = 2e-3;  // [s]
 /// A node of mass m that starts at rest at x.
 Trajectory swing(const Acceleration& acceleration, double m, double x, double duration) {
   const FunctionSystem system({m}, [&](double, In position, In, Out f) { f[0] = m * acceleration(position[0]); });
-  muelle::SymplecticEuler method;
-  const muelle::SimulationOptions options{.h = step, .duration = duration, .outputEvery = 5, .probes = {}, .label = ""};
-  return muelle::simulate(system, method, {0.0, {x}, {0.0}, {}}, options);
+  const muelle::MarchOptions options{.h = step, .duration = duration, .outputEvery = 5, .probes = {}, .label = ""};
+  return muelle::march(system, {0.0, {x}, {0.0}, {}}, options);
 }
 
 /// Compares a swing of the submission with that of the oracle, and its energy with the energy at the start.

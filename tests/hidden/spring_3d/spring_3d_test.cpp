@@ -3,7 +3,7 @@
 #include "course/testing/expect.h"
 #include "course/testing/random.h"
 #include "harness/function_system.h"
-#include "harness/simulate.h"
+#include "harness/march.h"
 #include "harness/symplectic_euler.h"
 
 #include <gtest/gtest.h>
@@ -161,12 +161,11 @@ TEST(ThirdLaw, MomentaAreConserved) {
       node3(f, 0) = force(node3(x, 0), node3(x, 1), k, L0);
       node3(f, 1) = force(node3(x, 1), node3(x, 0), k, L0);
     });
-    muelle::SymplecticEuler method;
-    muelle::SimulationOptions options;
+    muelle::MarchOptions options;
     options.h = 5e-3;
     options.duration = 1.0;
     options.outputEvery = 10;
-    return muelle::simulate(system, method, {0.0, {1.2, 0, 0.3, 0, 0, 0}, {0.2, 1.5, 0, 0, -0.5, 0.4}, {}}, options);
+    return muelle::march(system, {0.0, {1.2, 0, 0.3, 0, 0, 0}, {0.2, 1.5, 0, 0, -0.5, 0.4}, {}}, options);
   };
   const auto linear = [&](const Trajectory& run, std::size_t i) -> Vec3 {
     return ma * node3(In(run.v[i]), 0) + mb * node3(In(run.v[i]), 1);
@@ -341,12 +340,11 @@ struct Pendulum {
   Trajectory swing(const Acceleration& acceleration) const {
     const FunctionSystem system(
         {m, m, m}, [&](double, In x, In, Out f) { node3(f, 0) = m * acceleration(node3(x, 0), m, springs, g); });
-    muelle::SymplecticEuler method;
-    muelle::SimulationOptions options;
+    muelle::MarchOptions options;
     options.h = 2e-3;
     options.duration = 2.0;
     options.outputEvery = 5;
-    return muelle::simulate(system, method, {0.0, {start[0], start[1], start[2]}, {0, 0, 0}, {}}, options);
+    return muelle::march(system, {0.0, {start[0], start[1], start[2]}, {0, 0, 0}, {}}, options);
   }
 
   double energy(const Trajectory& run, std::size_t i) const {

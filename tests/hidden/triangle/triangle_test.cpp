@@ -3,7 +3,7 @@
 #include "course/testing/expect.h"
 #include "course/testing/random.h"
 #include "harness/function_system.h"
-#include "harness/simulate.h"
+#include "harness/march.h"
 #include "harness/symplectic_euler.h"
 
 #include <gtest/gtest.h>
@@ -418,11 +418,10 @@ struct Flight {
     const Vec9 from = start + aside;
     state.x.assign(from.begin(), from.end());
     state.v.assign(velocity.begin(), velocity.end());
-    muelle::SymplecticEuler method;
-    muelle::SimulationOptions options;
+    muelle::MarchOptions options;
     options.h = h;
     options.duration = duration;
-    return muelle::simulate(system, method, state, options);
+    return muelle::march(system, state, options);
   }
 
   Trajectory submitted() const {

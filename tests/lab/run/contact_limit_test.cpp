@@ -46,7 +46,7 @@ Model pressed(Model model) {
 /// Whether a perturbation of 1e-10 m, at which the ground does not let go, grows a hundredfold over 4000 steps.
 bool grows(const Model& model, const char* id, double h) {
   const std::unique_ptr<ModelSystem> system = build(model);
-  const std::unique_ptr<Method> method = makeMethod(id);
+  const std::unique_ptr<Integrator> method = makeMethod(id);
   RunOptions options;
   options.h = h;
   options.fixedStep = true;
@@ -79,7 +79,7 @@ double trueLimit(const Model& atRest, const char* id, double guess) {
 /// \param far  the model before anything touches
 void expectTold(const Model& far, const char* id) {
   const std::unique_ptr<ModelSystem> system = build(far);
-  const std::unique_ptr<Method> method = makeMethod(id);
+  const std::unique_ptr<Integrator> method = makeMethod(id);
   const double told = stability(*system, *method, system->initialState()).largestStep;
   const double limit = trueLimit(pressed(far), id, told);
   EXPECT_LE(told, 1.002 * limit)

@@ -28,7 +28,7 @@ Trajectory byDop853(const Scene& scene, const ModelSystem& system, const State& 
   options.tolerance.relative = 1e-13;
   options.sampleTimes = times;
   options.probes = probesOf(scene, system);
-  const std::unique_ptr<Method> method = makeMethod("dop853");
+  const std::unique_ptr<Integrator> method = makeMethod("dop853");
   return simulate(system, *method, start, options).trajectory;
 }
 

@@ -65,7 +65,7 @@ TEST(SlidingFriction, IsInsideTheErrorControl) {
       RunOptions options;
       options.duration = duration;
       options.tolerance.relative = tolerance;
-      const std::unique_ptr<Method> method = makeMethod(id);
+      const std::unique_ptr<Integrator> method = makeMethod(id);
       const RunResult result = simulate(*system, *method, start, options);
       ASSERT_FALSE(result.failed()) << result.trajectory.stop.message;
       const Vec3 way = system->position(result.last, 0) - origin;
@@ -87,7 +87,7 @@ TEST(SlidingFriction, KeepsTheOrderOfTheMethod) {
     options.duration = duration;
     options.h = h;
     options.fixedStep = true;
-    const std::unique_ptr<Method> method = makeMethod("runge_kutta_4");
+    const std::unique_ptr<Integrator> method = makeMethod("runge_kutta_4");
     const RunResult result = simulate(*system, *method, start, options);
     const Vec3 way = system->position(result.last, 0) - origin;
     return std::hypot(way.dot(down) - exact[0], way[1] - exact[1]);

@@ -37,7 +37,7 @@ Trajectory run(const ModelSystem& system, const char* id, double tolerance, doub
   options.tolerance.relative = tolerance;
   constexpr int outputs = 400;
   for (int i = 1; i <= outputs; ++i) options.sampleTimes.push_back(duration * i / outputs);
-  const std::unique_ptr<Method> method = makeMethod(id);
+  const std::unique_ptr<Integrator> method = makeMethod(id);
   return simulate(system, *method, system.initialState(), options).trajectory;
 }
 

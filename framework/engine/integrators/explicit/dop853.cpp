@@ -44,12 +44,13 @@ class DormandPrince853 : public ExplicitRungeKutta {
     reserveSlopes(4);
   }
 
-  StepResult step(const System& system, const State& from, double h, State& to) override {
+  StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
     denseReady_ = false;
     return ExplicitRungeKutta::step(system, from, h, to);
   }
 
-  void interpolate(const System& system, const State& from, const State& to, double theta, State& out) override {
+  void interpolate(const DynamicalSystem& system, const State& from, const State& to, double theta,
+                   State& out) override {
     const double h = to.t - from.t;
     prepareDense(system, from, to, h);
     const double rest = 1.0 - theta;
@@ -76,7 +77,7 @@ class DormandPrince853 : public ExplicitRungeKutta {
 
  private:
   /// The slope at the end and the three stages of the dense output, once a step and only when asked for.
-  void prepareDense(const System& system, const State& from, const State& to, double h) {
+  void prepareDense(const DynamicalSystem& system, const State& from, const State& to, double h) {
     if (denseReady_) return;
     ensureEndSlope(system, from, to);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -179,6 +180,6 @@ DenseTableau dop853Dense() {
   };
 }
 
-std::unique_ptr<Method> dop853() { return std::make_unique<DormandPrince853>(); }
+std::unique_ptr<Integrator> dop853() { return std::make_unique<DormandPrince853>(); }
 
 }  // namespace muelle::engine

@@ -30,7 +30,7 @@ class DormandPrince5 : public ExplicitRungeKutta {
  public:
   DormandPrince5() : ExplicitRungeKutta(dormandPrince5Info(), dormandPrince5Tableau()) {}
 
-  void interpolate(const System&, const State& from, const State& to, double theta, State& out) override {
+  void interpolate(const DynamicalSystem&, const State& from, const State& to, double theta, State& out) override {
     // Weights of the fourth coefficient (Shampine's choice, as in the code DOPRI5 of Hairer and Wanner).
     constexpr double d[] = {-12715105075.0 / 11282082432.0,  0.0,
                             87487479700.0 / 32700410799.0,   -10690763975.0 / 1880347072.0,
@@ -70,6 +70,6 @@ ButcherTableau dormandPrince5Tableau() {
   };
 }
 
-std::unique_ptr<Method> dormandPrince5() { return std::make_unique<DormandPrince5>(); }
+std::unique_ptr<Integrator> dormandPrince5() { return std::make_unique<DormandPrince5>(); }
 
 }  // namespace muelle::engine

@@ -27,7 +27,7 @@ MethodInfo explicitEulerInfo() {
 /// R(z) = 1 + z.
 ButcherTableau explicitEulerTableau() { return {.c = {0.0L}, .a = {{}}, .b = {1.0L}}; }
 
-std::unique_ptr<Method> explicitEuler() {
+std::unique_ptr<Integrator> explicitEuler() {
   return std::make_unique<ExplicitRungeKutta>(explicitEulerInfo(), explicitEulerTableau());
 }
 

@@ -29,7 +29,7 @@ MethodInfo explicitMidpointInfo() {
 /// R(z) = 1 + z + z^2/2.
 ButcherTableau explicitMidpointTableau() { return {.c = {0.0L, 0.5L}, .a = {{}, {0.5L}}, .b = {0.0L, 1.0L}}; }
 
-std::unique_ptr<Method> explicitMidpoint() {
+std::unique_ptr<Integrator> explicitMidpoint() {
   return std::make_unique<ExplicitRungeKutta>(explicitMidpointInfo(), explicitMidpointTableau());
 }
 

@@ -40,6 +40,6 @@ Coefficients kahanLi8Fractions() {
   return fractions;
 }
 
-std::unique_ptr<Method> kahanLi8() { return std::make_unique<Composition>(kahanLi8Info(), kahanLi8Fractions()); }
+std::unique_ptr<Integrator> kahanLi8() { return std::make_unique<Composition>(kahanLi8Info(), kahanLi8Fractions()); }
 
 }  // namespace muelle::engine

@@ -1,23 +1,23 @@
 #pragma once
-#include "engine/method.h"
+#include "engine/integrator.h"
 
 #include <memory>
 
 namespace muelle::engine {
 
 // The explicit methods, one file each.
-std::unique_ptr<Method> explicitEuler();
-std::unique_ptr<Method> symplecticEuler();
-std::unique_ptr<Method> explicitMidpoint();
-std::unique_ptr<Method> velocityVerlet();
-std::unique_ptr<Method> rattle();
-std::unique_ptr<Method> rungeKutta4();
-std::unique_ptr<Method> dormandPrince5();
-std::unique_ptr<Method> dop853();
-std::unique_ptr<Method> nystrom8();
-std::unique_ptr<Method> nystrom12();
-std::unique_ptr<Method> yoshida4();
-std::unique_ptr<Method> kahanLi8();
-std::unique_ptr<Method> rungeKuttaChebyshev2();
+std::unique_ptr<Integrator> explicitEuler();
+std::unique_ptr<Integrator> symplecticEuler();
+std::unique_ptr<Integrator> explicitMidpoint();
+std::unique_ptr<Integrator> velocityVerlet();
+std::unique_ptr<Integrator> rattle();
+std::unique_ptr<Integrator> rungeKutta4();
+std::unique_ptr<Integrator> dormandPrince5();
+std::unique_ptr<Integrator> dop853();
+std::unique_ptr<Integrator> nystrom8();
+std::unique_ptr<Integrator> nystrom12();
+std::unique_ptr<Integrator> yoshida4();
+std::unique_ptr<Integrator> kahanLi8();
+std::unique_ptr<Integrator> rungeKuttaChebyshev2();
 
 }  // namespace muelle::engine

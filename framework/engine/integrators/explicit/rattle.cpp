@@ -85,14 +85,14 @@ std::string RodFrame::set(std::span<const Rod> rods, int dimension, const Vector
 
 /// RATTLE. The force along the rods that the drift needs is found by Newton steps with the matrix at its start, which
 /// is off by the turn of a rod in a step; the velocity's follows from one solve.
-class Rattle final : public Method {
+class Rattle final : public Integrator {
  public:
   const MethodInfo& info() const override {
     static const MethodInfo facts = rattleInfo();
     return facts;
   }
 
-  void prepare(const System& system, const Tolerance&) override {
+  void prepare(const DynamicalSystem& system, const Tolerance&) override {
     if (system.forceUsesVelocity()) {
       throw std::invalid_argument(
           "rattle needs a force that does not depend on the velocity: remove damping, drag and friction");
@@ -109,7 +109,7 @@ class Rattle final : public Method {
     restart();
   }
 
-  StepResult step(const System& system, const State& from, double h, State& to) override {
+  StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
     kick_.start(system, from, work_);
     prepareResult(from, h, to);
     const Eigen::Map<const Vector> v0(from.v.data(), dx_.size());
@@ -127,7 +127,7 @@ class Rattle final : public Method {
   }
 
   bool hasIncrements() const override { return true; }
-  StepResult stepIncrement(const System& system, const State& from, double h, State& increment) override {
+  StepResult stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) override {
     StepResult result = step(system, from, h, increment);
     std::copy(dx_.begin(), dx_.end(), increment.x.begin());
     std::copy(dv_.begin(), dv_.end(), increment.v.begin());
@@ -135,7 +135,7 @@ class Rattle final : public Method {
   }
 
   /// Cubic from both ends' positions and velocities: the forces along the rods are not known to interpolate with.
-  void interpolate(const System&, const State& from, const State& to, double theta, State& out) override {
+  void interpolate(const DynamicalSystem&, const State& from, const State& to, double theta, State& out) override {
     const double h = to.t - from.t;
     out.t = from.t + theta * h;
     out.x.resize(from.x.size());
@@ -237,6 +237,6 @@ class Rattle final : public Method {
 
 }  // namespace
 
-std::unique_ptr<Method> rattle() { return std::make_unique<Rattle>(); }
+std::unique_ptr<Integrator> rattle() { return std::make_unique<Rattle>(); }
 
 }  // namespace muelle::engine

@@ -32,7 +32,7 @@ ButcherTableau rungeKutta4Tableau() {
   };
 }
 
-std::unique_ptr<Method> rungeKutta4() {
+std::unique_ptr<Integrator> rungeKutta4() {
   return std::make_unique<ExplicitRungeKutta>(rungeKutta4Info(), rungeKutta4Tableau());
 }
 

@@ -38,14 +38,14 @@ struct Chebyshev {
   double value, first, second, b;
 };
 
-class RungeKuttaChebyshev2 : public Method {
+class RungeKuttaChebyshev2 : public Integrator {
  public:
   const MethodInfo& info() const override {
     static const MethodInfo facts = rungeKuttaChebyshev2Info();
     return facts;
   }
 
-  void prepare(const System& system, const Tolerance& tolerance) override {
+  void prepare(const DynamicalSystem& system, const Tolerance& tolerance) override {
     tolerance_ = tolerance;
     const auto n = static_cast<std::size_t>(system.size());
     size_ = n;
@@ -65,7 +65,7 @@ class RungeKuttaChebyshev2 : public Method {
   }
   void accept() override { accepted_ = true; }
 
-  StepResult step(const System& system, const State& from, double h, State& to) override {
+  StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
     provideStart(system, from);
     if (const int at = firstNotFinite(start_); at >= 0) {
       return {.done = false,
@@ -92,13 +92,13 @@ class RungeKuttaChebyshev2 : public Method {
  private:
   static constexpr int mostStages = 4000;  // round-off grows with their square: 1e-9 of the step's change here
 
-  void evaluate(const System& system, double t, In x, In v, In z, std::vector<double>& a) {
+  void evaluate(const DynamicalSystem& system, double t, In x, In v, In z, std::vector<double>& a) {
     system.force(t, x, v, z, a);
     ++work_.forceEvaluations;
     for (std::size_t i = 0; i < size_; ++i) a[i] *= inverseMass_[i];
   }
 
-  void provideStart(const System& system, const State& from) {
+  void provideStart(const DynamicalSystem& system, const State& from) {
     if (startMark_.matches(from)) {
       bound_.doubt();  // the step is taken again: the spectral radius may have been too small
     } else if (accepted_ && endMark_.matches(from)) {
@@ -112,7 +112,7 @@ class RungeKuttaChebyshev2 : public Method {
   }
 
   /// Equations (2.4) to (2.7) of the paper, in the notation of its code.
-  void advance(const System& system, const State& from, double h, int stages, State& to) {
+  void advance(const DynamicalSystem& system, const State& from, double h, int stages, State& to) {
     const double s = stages;
     const double w0 = 1.0 + 2.0 / (13.0 * s * s);
     const double root = std::sqrt(w0 * w0 - 1.0);
@@ -182,6 +182,6 @@ class RungeKuttaChebyshev2 : public Method {
 
 }  // namespace
 
-std::unique_ptr<Method> rungeKuttaChebyshev2() { return std::make_unique<RungeKuttaChebyshev2>(); }
+std::unique_ptr<Integrator> rungeKuttaChebyshev2() { return std::make_unique<RungeKuttaChebyshev2>(); }
 
 }  // namespace muelle::engine

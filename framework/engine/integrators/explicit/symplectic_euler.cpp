@@ -25,18 +25,18 @@ MethodInfo symplecticEulerInfo() {
   return info;
 }
 
-class SymplecticEuler : public Method {
+class SymplecticEuler : public Integrator {
  public:
   const MethodInfo& info() const override {
     static const MethodInfo facts = symplecticEulerInfo();
     return facts;
   }
 
-  void prepare(const System& system, const Tolerance&) override {
+  void prepare(const DynamicalSystem& system, const Tolerance&) override {
     force_.resize(static_cast<std::size_t>(system.size()));
   }
 
-  StepResult step(const System& system, const State& from, double h, State& to) override {
+  StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
     prepareResult(from, h, to);
     system.force(from.t, from.x, from.v, from.z, force_);
     ++work_.forceEvaluations;
@@ -49,7 +49,7 @@ class SymplecticEuler : public Method {
   }
 
   bool hasIncrements() const override { return true; }
-  StepResult stepIncrement(const System& system, const State& from, double h, State& increment) override {
+  StepResult stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) override {
     StepResult result = step(system, from, h, increment);
     const std::span<const double> m = system.mass();
     for (std::size_t i = 0; i < force_.size(); ++i) {
@@ -66,6 +66,6 @@ class SymplecticEuler : public Method {
 
 }  // namespace
 
-std::unique_ptr<Method> symplecticEuler() { return std::make_unique<SymplecticEuler>(); }
+std::unique_ptr<Integrator> symplecticEuler() { return std::make_unique<SymplecticEuler>(); }
 
 }  // namespace muelle::engine

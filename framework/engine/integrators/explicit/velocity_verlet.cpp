@@ -39,21 +39,21 @@ MethodInfo velocityVerletInfo() {
 ///
 /// which is velocity Verlet for c -> 0, and x' = v = F/d for c -> infinity: a kick before or after the decay would get
 /// the velocity wrong by a factor c/2 there.
-class VelocityVerlet : public Method {
+class VelocityVerlet : public Integrator {
  public:
   const MethodInfo& info() const override {
     static const MethodInfo facts = velocityVerletInfo();
     return facts;
   }
 
-  void prepare(const System& system, const Tolerance&) override {
+  void prepare(const DynamicalSystem& system, const Tolerance&) override {
     kick_.prepare(system);
     factors_.forget();
     if (const Drag* drag = system.drag()) factors_.update(*drag, system.mass(), 0.0);
     for (std::vector<double>* array : {&predicted_, &dx_, &dv_, &low_}) array->assign(system.mass().size(), 0.0);
   }
 
-  StepResult step(const System& system, const State& from, double h, State& to) override {
+  StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
     advance(system, from, h, to);
     for (std::size_t i = 0; i < predicted_.size(); ++i) to.v[i] = from.v[i] + dv_[i];
     kick_.finish(to);
@@ -61,7 +61,7 @@ class VelocityVerlet : public Method {
   }
 
   bool hasIncrements() const override { return true; }
-  StepResult stepIncrement(const System& system, const State& from, double h, State& increment) override {
+  StepResult stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) override {
     // The force at the end is that of the compensated sum, which is where the next step starts: without the low part
     // the energy of an oscillator drifts three times as fast.
     std::copy(increment.x.begin(), increment.x.end(), low_.begin());
@@ -76,7 +76,7 @@ class VelocityVerlet : public Method {
   void accept() override { kick_.accept(); }
 
  private:
-  void advance(const System& system, const State& from, double h, State& to) {
+  void advance(const DynamicalSystem& system, const State& from, double h, State& to) {
     kick_.start(system, from, work_);
     prepareResult(from, h, to);
     if (const Drag* drag = system.drag()) {
@@ -93,7 +93,7 @@ class VelocityVerlet : public Method {
 
   /// The changes of x and v over the step, in dx_ and dv_.
   template <typename Loss, typename Phi1, typename Phi2>
-  void advance(const System& system, const State& from, double h, State& to, Loss loss, Phi1 phi1, Phi2 phi2) {
+  void advance(const DynamicalSystem& system, const State& from, double h, State& to, Loss loss, Phi1 phi1, Phi2 phi2) {
     const std::size_t n = predicted_.size();
     const double* a = kick_.acceleration();
     for (std::size_t i = 0; i < n; ++i) {
@@ -116,6 +116,6 @@ class VelocityVerlet : public Method {
 
 }  // namespace
 
-std::unique_ptr<Method> velocityVerlet() { return std::make_unique<VelocityVerlet>(); }
+std::unique_ptr<Integrator> velocityVerlet() { return std::make_unique<VelocityVerlet>(); }
 
 }  // namespace muelle::engine

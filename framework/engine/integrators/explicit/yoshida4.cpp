@@ -35,6 +35,6 @@ Coefficients yoshida4Fractions() {
   return {g, 1.0L - 2.0L * g, g};
 }
 
-std::unique_ptr<Method> yoshida4() { return std::make_unique<Composition>(yoshida4Info(), yoshida4Fractions()); }
+std::unique_ptr<Integrator> yoshida4() { return std::make_unique<Composition>(yoshida4Info(), yoshida4Fractions()); }
 
 }  // namespace muelle::engine

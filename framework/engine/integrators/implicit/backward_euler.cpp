@@ -25,7 +25,7 @@ class BackwardEuler final : public ImplicitMethod {
   BackwardEuler() : ImplicitMethod(backwardEulerInfo()) {}
 
  private:
-  StepResult advance(const System& system, const State& from, double h) override {
+  StepResult advance(const DynamicalSystem& system, const State& from, double h) override {
     stage_.t = from.t + h;
     stage_.tau = h;
     stage_.alpha = h;
@@ -45,6 +45,6 @@ class BackwardEuler final : public ImplicitMethod {
 
 }  // namespace
 
-std::unique_ptr<Method> backwardEuler() { return std::make_unique<BackwardEuler>(); }
+std::unique_ptr<Integrator> backwardEuler() { return std::make_unique<BackwardEuler>(); }
 
 }  // namespace muelle::engine

@@ -33,7 +33,7 @@ class Bdf2 final : public ImplicitMethod {
   void restart() override { known_ = false; }
 
  private:
-  StepResult advance(const System& system, const State& from, double h) override {
+  StepResult advance(const DynamicalSystem& system, const State& from, double h) override {
     const bool continues = known_ && follows(from, end_, h) && h <= 2.0 * lastStep_;
     const StepResult result = continues ? multistep(system, from, h) : firstStep(system, from, h);
     pendingEnd_ = from;
@@ -44,7 +44,7 @@ class Bdf2 final : public ImplicitMethod {
     return result;
   }
 
-  StepResult multistep(const System& system, const State& from, double h) {
+  StepResult multistep(const DynamicalSystem& system, const State& from, double h) {
     const double r = h / lastStep_;
     const double memory = r * r / (1.0 + 2.0 * r);
     const double c = (1.0 + r) / (1.0 + 2.0 * r) * h;
@@ -57,7 +57,7 @@ class Bdf2 final : public ImplicitMethod {
   }
 
   /// Alexander's SDIRK2: gamma = 1 - 1/sqrt(2), the second stage is the step.
-  StepResult firstStep(const System& system, const State& from, double h) {
+  StepResult firstStep(const DynamicalSystem& system, const State& from, double h) {
     const double gamma = 1.0 - std::sqrt(0.5), c = gamma * h;
     stage_.V0 = vector(from.v);
     stage_.X0 = vector(from.x) + c * stage_.V0;
@@ -74,7 +74,7 @@ class Bdf2 final : public ImplicitMethod {
   }
 
   /// Solves w = c a(t, X0 + c w, V0 + w).
-  StepResult implicitStage(const System& system, const State& from, double t, double c, double h) {
+  StepResult implicitStage(const DynamicalSystem& system, const State& from, double t, double c, double h) {
     stage_.t = t;
     stage_.tau = c;
     stage_.alpha = c;
@@ -94,6 +94,6 @@ class Bdf2 final : public ImplicitMethod {
 
 }  // namespace
 
-std::unique_ptr<Method> bdf2() { return std::make_unique<Bdf2>(); }
+std::unique_ptr<Integrator> bdf2() { return std::make_unique<Bdf2>(); }
 
 }  // namespace muelle::engine

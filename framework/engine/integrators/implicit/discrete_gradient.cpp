@@ -32,7 +32,7 @@ class DiscreteGradient final : public ImplicitMethod {
   DiscreteGradient() : ImplicitMethod(discreteGradientInfo()) {}
 
  private:
-  StepResult advance(const System& system, const State& from, double h) override {
+  StepResult advance(const DynamicalSystem& system, const State& from, double h) override {
     const double tm = from.t + 0.5 * h;
     const bool complete = system.potential()->isComplete();
     stage_.t = tm;
@@ -62,7 +62,7 @@ class DiscreteGradient final : public ImplicitMethod {
 
   /// The Newton steps of attempts at one step that failed are counted together, halvings included: where the equation
   /// has no solution near, shorter and shorter steps would look for it for ever.
-  StepResult solveWithinBudget(const System& system, const State& from, double h) {
+  StepResult solveWithinBudget(const DynamicalSystem& system, const State& from, double h) {
     if (failedAt_.t != from.t || failedAt_.x != from.x || failedAt_.v != from.v) spent_ = 0;
     const long long before = work_.newtonIterations;
     NewtonOptions options;
@@ -106,6 +106,6 @@ class DiscreteGradient final : public ImplicitMethod {
 
 }  // namespace
 
-std::unique_ptr<Method> discreteGradient() { return std::make_unique<DiscreteGradient>(); }
+std::unique_ptr<Integrator> discreteGradient() { return std::make_unique<DiscreteGradient>(); }
 
 }  // namespace muelle::engine

@@ -16,7 +16,7 @@ Esdirk::Esdirk(MethodInfo info, EsdirkTableau tableau)
   }
 }
 
-void Esdirk::prepare(const System& system, const Tolerance& tolerance) {
+void Esdirk::prepare(const DynamicalSystem& system, const Tolerance& tolerance) {
   ImplicitMethod::prepare(system, tolerance);
   allowed_ = tolerance;
   const auto n = static_cast<Eigen::Index>(system.size());
@@ -31,7 +31,7 @@ void Esdirk::accept() {
   known_ = true;
 }
 
-StepResult Esdirk::advance(const System& system, const State& from, double h) {
+StepResult Esdirk::advance(const DynamicalSystem& system, const State& from, double h) {
   provideFirstSlope(system, from, h);
   const double c = tableau_.diagonal * h;
   const auto v0 = vector(from.v);
@@ -61,7 +61,7 @@ StepResult Esdirk::advance(const System& system, const State& from, double h) {
   return result;
 }
 
-void Esdirk::provideFirstSlope(const System& system, const State& from, double h) {
+void Esdirk::provideFirstSlope(const DynamicalSystem& system, const State& from, double h) {
   if (known_ && from.z == end_.z && follows(from, end_, h)) return;
   const std::span<const double> mass = system.mass();
   Vector& a = as_.front();
@@ -73,7 +73,7 @@ void Esdirk::provideFirstSlope(const System& system, const State& from, double h
 }
 
 /// Solves stage i from the guess in w_.
-StepResult Esdirk::solve(const System& system, const State& from, std::size_t i, double h) {
+StepResult Esdirk::solve(const DynamicalSystem& system, const State& from, std::size_t i, double h) {
   const double c = tableau_.diagonal * h;
   stage_.t = from.t + c_[i] * h;
   stage_.tau = c;
@@ -87,7 +87,7 @@ StepResult Esdirk::solve(const System& system, const State& from, std::size_t i,
 }
 
 /// The estimated error over the tolerance, to the power at which it falls with h^order: so the controller takes it.
-double Esdirk::error(const System& system, const State& from, double h) {
+double Esdirk::error(const DynamicalSystem& system, const State& from, double h) {
   errorX_.setZero();
   errorV_.setZero();
   for (std::size_t i = 0; i < c_.size(); ++i) {
@@ -109,7 +109,7 @@ double Esdirk::overTolerance(const State& from) const {
 
 /// (I - c f')^-1 on the estimate, eliminated for the positions as the stages are:
 /// (M + c D + c^2 K) x = M (c e_v + e_x) + c D e_x,  v = (x - e_x) / c.
-void Esdirk::filterError(const System& system, double c) {
+void Esdirk::filterError(const DynamicalSystem& system, double c) {
   if (!newton_.hasMatrix()) return;
   const std::span<const double> mass = system.mass();
   const Eigen::Map<const Vector> m(mass.data(), static_cast<Eigen::Index>(mass.size()));
@@ -121,7 +121,7 @@ void Esdirk::filterError(const System& system, double c) {
 }
 
 /// right_ += c D e_x, from the difference of two forces: friction aside, they are linear in the velocity.
-void Esdirk::addDamped(const System& system, double c) {
+void Esdirk::addDamped(const DynamicalSystem& system, double c) {
   const double size = errorX_.lpNorm<Eigen::Infinity>();
   if (!(size > 0.0)) return;
   const Vector &x = newton_.position(), &v = newton_.velocity();

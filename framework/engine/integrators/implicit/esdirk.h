@@ -26,18 +26,18 @@ class Esdirk : public ImplicitMethod {
  public:
   Esdirk(MethodInfo info, EsdirkTableau tableau);
 
-  void prepare(const System& system, const Tolerance& tolerance) override;
+  void prepare(const DynamicalSystem& system, const Tolerance& tolerance) override;
   void accept() override;
   void restart() override { known_ = false; }
 
  private:
-  StepResult advance(const System& system, const State& from, double h) override;
-  void provideFirstSlope(const System& system, const State& from, double h);
-  StepResult solve(const System& system, const State& from, std::size_t i, double h);
-  double error(const System& system, const State& from, double h);
+  StepResult advance(const DynamicalSystem& system, const State& from, double h) override;
+  void provideFirstSlope(const DynamicalSystem& system, const State& from, double h);
+  StepResult solve(const DynamicalSystem& system, const State& from, std::size_t i, double h);
+  double error(const DynamicalSystem& system, const State& from, double h);
   double overTolerance(const State& from) const;
-  void filterError(const System& system, double c);
-  void addDamped(const System& system, double c);
+  void filterError(const DynamicalSystem& system, double c);
+  void addDamped(const DynamicalSystem& system, double c);
 
   EsdirkTableau tableau_;
   std::vector<double> c_;  ///< times of the stages, in steps

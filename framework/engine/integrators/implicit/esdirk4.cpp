@@ -34,6 +34,6 @@ EsdirkTableau esdirk4Tableau() {
 
 }  // namespace
 
-std::unique_ptr<Method> esdirk4() { return std::make_unique<Esdirk>(esdirk4Info(), esdirk4Tableau()); }
+std::unique_ptr<Integrator> esdirk4() { return std::make_unique<Esdirk>(esdirk4Info(), esdirk4Tableau()); }
 
 }  // namespace muelle::engine

@@ -10,7 +10,7 @@ namespace muelle::engine {
 
 ImplicitMethod::ImplicitMethod(MethodInfo info) : info_(std::move(info)) {}
 
-void ImplicitMethod::prepare(const System& system, const Tolerance& tolerance) {
+void ImplicitMethod::prepare(const DynamicalSystem& system, const Tolerance& tolerance) {
   if (system.linearisation() == nullptr) {
     throw std::invalid_argument(
         fmt::format("{} needs the derivatives of the force (linearisation), which this system lacks", info_.id));
@@ -27,7 +27,7 @@ void ImplicitMethod::prepare(const System& system, const Tolerance& tolerance) {
   restart();
 }
 
-StepResult ImplicitMethod::solveStage(const System& system, const NewtonOptions& options, double h) {
+StepResult ImplicitMethod::solveStage(const DynamicalSystem& system, const NewtonOptions& options, double h) {
   const NewtonReport report = newton_.solve(system, stage_, options, w_, work_);
   StepResult result;
   result.done = report.done;
@@ -35,7 +35,7 @@ StepResult ImplicitMethod::solveStage(const System& system, const NewtonOptions&
   return result;
 }
 
-StepResult ImplicitMethod::step(const System& system, const State& from, double h, State& to) {
+StepResult ImplicitMethod::step(const DynamicalSystem& system, const State& from, double h, State& to) {
   StepResult result = advance(system, from, h);
   if (!result.done) return result;
   to.t = from.t + h;
@@ -47,7 +47,7 @@ StepResult ImplicitMethod::step(const System& system, const State& from, double 
   return result;
 }
 
-StepResult ImplicitMethod::stepIncrement(const System& system, const State& from, double h, State& increment) {
+StepResult ImplicitMethod::stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) {
   StepResult result = advance(system, from, h);
   if (!result.done) return result;
   vector(increment.x) = dx_;

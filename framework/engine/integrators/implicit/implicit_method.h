@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/method.h"
+#include "engine/integrator.h"
 #include "engine/solve/newton.h"
 
 #include <Eigen/Core>
@@ -7,16 +7,16 @@
 namespace muelle::engine {
 
 /// What the implicit methods share: the facts, Newton's method, its tolerance, and how a failure is told.
-class ImplicitMethod : public Method {
+class ImplicitMethod : public Integrator {
  public:
   explicit ImplicitMethod(MethodInfo info);
 
   const MethodInfo& info() const override { return info_; }
   /// Throws std::invalid_argument when the system lacks a linearisation, or a potential where the method needs one.
-  void prepare(const System& system, const Tolerance& tolerance) override;
-  StepResult step(const System& system, const State& from, double h, State& to) final;
+  void prepare(const DynamicalSystem& system, const Tolerance& tolerance) override;
+  StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) final;
   bool hasIncrements() const final { return true; }
-  StepResult stepIncrement(const System& system, const State& from, double h, State& increment) final;
+  StepResult stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) final;
 
  protected:
   using Vector = Eigen::VectorXd;
@@ -28,9 +28,9 @@ class ImplicitMethod : public Method {
     return {values.data(), static_cast<Eigen::Index>(values.size())};
   }
   /// Computes the change over a step into dx_ and dv_.
-  virtual StepResult advance(const System& system, const State& from, double h) = 0;
+  virtual StepResult advance(const DynamicalSystem& system, const State& from, double h) = 0;
   /// Solves stage_ from the guess in w_; the result says which step failed when it did.
-  StepResult solveStage(const System& system, const NewtonOptions& options, double h);
+  StepResult solveStage(const DynamicalSystem& system, const NewtonOptions& options, double h);
   /// Whether a step starts where the last one ended, up to the last bits, which compensated summation may change.
   static bool follows(const State& from, const State& end, double h);
 

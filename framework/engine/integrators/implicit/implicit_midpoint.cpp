@@ -27,7 +27,7 @@ class ImplicitMidpoint final : public ImplicitMethod {
   ImplicitMidpoint() : ImplicitMethod(implicitMidpointInfo()) {}
 
  private:
-  StepResult advance(const System& system, const State& from, double h) override {
+  StepResult advance(const DynamicalSystem& system, const State& from, double h) override {
     stage_.t = from.t + 0.5 * h;
     stage_.tau = h;
     stage_.alpha = 0.25 * h;
@@ -48,6 +48,6 @@ class ImplicitMidpoint final : public ImplicitMethod {
 
 }  // namespace
 
-std::unique_ptr<Method> implicitMidpoint() { return std::make_unique<ImplicitMidpoint>(); }
+std::unique_ptr<Integrator> implicitMidpoint() { return std::make_unique<ImplicitMidpoint>(); }
 
 }  // namespace muelle::engine

@@ -27,7 +27,7 @@ class LinearisedBackwardEuler final : public ImplicitMethod {
   LinearisedBackwardEuler() : ImplicitMethod(linearisedBackwardEulerInfo()) {}
 
  private:
-  StepResult advance(const System& system, const State& from, double h) override {
+  StepResult advance(const DynamicalSystem& system, const State& from, double h) override {
     const double t = from.t + h;
     const auto n = static_cast<Eigen::Index>(from.x.size());
     force_.resize(n);
@@ -47,7 +47,7 @@ class LinearisedBackwardEuler final : public ImplicitMethod {
   }
 
   /// Empty, or why there is no w_.
-  std::string solve(const System& system, const State& from, double t, double h, Form form) {
+  std::string solve(const DynamicalSystem& system, const State& from, double t, double h, Form form) {
     const Vector v0 = vector(from.v);
     system.linearisation()->assemble(0.0, 0.0, 1.0, t, from.x, from.v, from.z, form, J_);
     multiply(J_, v0, stiffnessTimesV_);
@@ -68,6 +68,6 @@ class LinearisedBackwardEuler final : public ImplicitMethod {
 
 }  // namespace
 
-std::unique_ptr<Method> linearisedBackwardEuler() { return std::make_unique<LinearisedBackwardEuler>(); }
+std::unique_ptr<Integrator> linearisedBackwardEuler() { return std::make_unique<LinearisedBackwardEuler>(); }
 
 }  // namespace muelle::engine

@@ -1,18 +1,18 @@
 #pragma once
-#include "engine/method.h"
+#include "engine/integrator.h"
 
 #include <memory>
 
 namespace muelle::engine {
 
 // The implicit methods, one file each.
-std::unique_ptr<Method> backwardEuler();
-std::unique_ptr<Method> linearisedBackwardEuler();
-std::unique_ptr<Method> bdf2();
-std::unique_ptr<Method> trBdf2();
-std::unique_ptr<Method> esdirk4();
-std::unique_ptr<Method> newmark();
-std::unique_ptr<Method> implicitMidpoint();
-std::unique_ptr<Method> discreteGradient();
+std::unique_ptr<Integrator> backwardEuler();
+std::unique_ptr<Integrator> linearisedBackwardEuler();
+std::unique_ptr<Integrator> bdf2();
+std::unique_ptr<Integrator> trBdf2();
+std::unique_ptr<Integrator> esdirk4();
+std::unique_ptr<Integrator> newmark();
+std::unique_ptr<Integrator> implicitMidpoint();
+std::unique_ptr<Integrator> discreteGradient();
 
 }  // namespace muelle::engine

@@ -30,7 +30,7 @@ class Newmark final : public ImplicitMethod {
   void restart() override { known_ = false; }
 
  private:
-  StepResult advance(const System& system, const State& from, double h) override {
+  StepResult advance(const DynamicalSystem& system, const State& from, double h) override {
     if (!known_ || from.z != end_.z || !follows(from, end_, h)) {
       force_.resize(static_cast<Eigen::Index>(from.x.size()));
       system.force(from.t, from.x, from.v, from.z, {force_.data(), from.x.size()});
@@ -67,6 +67,6 @@ class Newmark final : public ImplicitMethod {
 
 }  // namespace
 
-std::unique_ptr<Method> newmark() { return std::make_unique<Newmark>(); }
+std::unique_ptr<Integrator> newmark() { return std::make_unique<Newmark>(); }
 
 }  // namespace muelle::engine

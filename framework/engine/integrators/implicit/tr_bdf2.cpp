@@ -33,6 +33,6 @@ EsdirkTableau trBdf2Tableau() {
 
 }  // namespace
 
-std::unique_ptr<Method> trBdf2() { return std::make_unique<Esdirk>(trBdf2Info(), trBdf2Tableau()); }
+std::unique_ptr<Integrator> trBdf2() { return std::make_unique<Esdirk>(trBdf2Info(), trBdf2Tableau()); }
 
 }  // namespace muelle::engine

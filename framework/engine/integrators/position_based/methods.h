@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/method.h"
+#include "engine/integrator.h"
 
 #include <memory>
 
@@ -7,7 +7,7 @@ namespace muelle::engine {
 
 // The position based methods, one file each. A step of h is divided into substeps (xpbd) or iterations (projective
 // dynamics); their numbers are arguments because they decide the error.
-std::unique_ptr<Method> xpbd(int substeps = 20);
-std::unique_ptr<Method> projectiveDynamics(int iterations = 10);
+std::unique_ptr<Integrator> xpbd(int substeps = 20);
+std::unique_ptr<Integrator> projectiveDynamics(int iterations = 10);
 
 }  // namespace muelle::engine

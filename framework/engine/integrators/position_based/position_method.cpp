@@ -9,7 +9,7 @@
 
 namespace muelle::engine {
 
-void PositionMethod::prepare(const System& system, const Tolerance&) {
+void PositionMethod::prepare(const DynamicalSystem& system, const Tolerance&) {
   const Constraints* constraints = system.constraints();
   if (constraints == nullptr) {
     throw std::invalid_argument(
@@ -28,7 +28,7 @@ void PositionMethod::prepare(const System& system, const Tolerance&) {
   restart();
 }
 
-void PositionMethod::accelerate(const System& system, double t, double h, State& state) {
+void PositionMethod::accelerate(const DynamicalSystem& system, double t, double h, State& state) {
   system.constraints()->externalForce(t, state.x, state.v, state.z, external_);
   ++work_.forceEvaluations;
   const std::span<const double> mass = system.mass();

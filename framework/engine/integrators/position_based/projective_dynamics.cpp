@@ -39,14 +39,14 @@ class ProjectiveDynamics final : public PositionMethod {
     }
   }
 
-  void prepare(const System& system, const Tolerance& tolerance) override {
+  void prepare(const DynamicalSystem& system, const Tolerance& tolerance) override {
     PositionMethod::prepare(system, tolerance);
     matrixStep_ = 0.0;
     covered_.assign(static_cast<std::size_t>(system.constraints()->count()), false);
     for (Vector* v : {&residual_, &increment_, &offset_}) v->setZero(system.size());
   }
 
-  StepResult step(const System& system, const State& from, double h, State& to) override {
+  StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
     to.x = from.x;
     to.v = from.v;
     to.z = from.z;
@@ -78,7 +78,7 @@ class ProjectiveDynamics final : public PositionMethod {
  private:
   /// Adds the gradient of the springs' energies and their damping to residual_; true when one acts that the matrix
   /// lacks.
-  bool addElastic(const System& system, const State& from, double h, const State& to) {
+  bool addElastic(const DynamicalSystem& system, const State& from, double h, const State& to) {
     const Constraints& constraints = *system.constraints();
     ++work_.forceEvaluations;
     bool missing = false;
@@ -101,7 +101,7 @@ class ProjectiveDynamics final : public PositionMethod {
   }
 
   /// Empty, or why there is no matrix.
-  std::string refactor(const System& system, double t, double h, const State& state) {
+  std::string refactor(const DynamicalSystem& system, double t, double h, const State& state) {
     const Constraints& constraints = *system.constraints();
     const int dimension = system.dimension();
     covered_.assign(covered_.size(), false);
@@ -150,6 +150,8 @@ class ProjectiveDynamics final : public PositionMethod {
 
 }  // namespace
 
-std::unique_ptr<Method> projectiveDynamics(int iterations) { return std::make_unique<ProjectiveDynamics>(iterations); }
+std::unique_ptr<Integrator> projectiveDynamics(int iterations) {
+  return std::make_unique<ProjectiveDynamics>(iterations);
+}
 
 }  // namespace muelle::engine

@@ -34,7 +34,7 @@ class Xpbd final : public PositionMethod {
       throw std::invalid_argument(fmt::format("xpbd: {}; at least 1 is needed", counted(substeps, "substep")));
   }
 
-  StepResult step(const System& system, const State& from, double h, State& to) override {
+  StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
     to.x = from.x;
     to.v = from.v;
     to.z = from.z;
@@ -44,7 +44,7 @@ class Xpbd final : public PositionMethod {
   }
 
  private:
-  void substep(const System& system, double t, double h, State& state) {
+  void substep(const DynamicalSystem& system, double t, double h, State& state) {
     accelerate(system, t, h, state);
     before_ = state.x;
     for (std::size_t i = 0; i < state.x.size(); ++i) state.x[i] += h * state.v[i];
@@ -89,6 +89,6 @@ class Xpbd final : public PositionMethod {
 
 }  // namespace
 
-std::unique_ptr<Method> xpbd(int substeps) { return std::make_unique<Xpbd>(substeps); }
+std::unique_ptr<Integrator> xpbd(int substeps) { return std::make_unique<Xpbd>(substeps); }
 
 }  // namespace muelle::engine

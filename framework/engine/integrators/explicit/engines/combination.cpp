@@ -71,7 +71,7 @@ int firstNotFinite(In values) {
   return static_cast<int>(at - values.begin());
 }
 
-StepResult finiteOrFailure(const System& system, const State& from, const State& to, double error) {
+StepResult finiteOrFailure(const DynamicalSystem& system, const State& from, const State& to, double error) {
   const int position = firstNotFinite(to.x);
   const int velocity = position < 0 ? firstNotFinite(to.v) : -1;
   const auto failure = [&](std::string_view what) {

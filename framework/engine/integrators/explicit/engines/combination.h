@@ -2,7 +2,7 @@
 /// \file
 /// Sums over stages in one pass over memory.
 
-#include "engine/method.h"
+#include "engine/integrator.h"
 
 #include <algorithm>
 #include <array>
@@ -61,6 +61,6 @@ void prepareResult(const State& from, double h, State& to);
 int firstNotFinite(In values);
 
 /// Failure when a position or a velocity of `to` is not finite; otherwise a result with the error given.
-StepResult finiteOrFailure(const System& system, const State& from, const State& to, double error);
+StepResult finiteOrFailure(const DynamicalSystem& system, const State& from, const State& to, double error);
 
 }  // namespace muelle::engine

@@ -10,7 +10,7 @@ namespace muelle::engine {
 Composition::Composition(MethodInfo info, const Coefficients& fractions)
     : info_(std::move(info)), fractions_(rounded(fractions)), factors_((fractions_.size() + 1) / 2) {}
 
-void Composition::prepare(const System& system, const Tolerance&) {
+void Composition::prepare(const DynamicalSystem& system, const Tolerance&) {
   kick_.prepare(system);
   for (std::vector<double>* array : {&predicted_, &dx_, &dv_}) array->resize(system.mass().size());
   for (DragFactors& factors : factors_) {
@@ -27,8 +27,8 @@ void Composition::kick(const State& from, double h, State& to) {
   }
 }
 
-void Composition::kickAndDrift(const System& system, const State& from, double kick, double h, DragFactors& factors,
-                               State& to) {
+void Composition::kickAndDrift(const DynamicalSystem& system, const State& from, double kick, double h,
+                               DragFactors& factors, State& to) {
   const double* a = kick_.acceleration();
   const std::size_t n = dx_.size();
   if (const Drag* drag = system.drag()) {
@@ -53,7 +53,7 @@ void Composition::kickAndDrift(const System& system, const State& from, double k
   for (std::size_t i = 0; i < n; ++i) predicted_[i] = to.v[i] + 0.5 * h * a[i];
 }
 
-StepResult Composition::step(const System& system, const State& from, double h, State& to) {
+StepResult Composition::step(const DynamicalSystem& system, const State& from, double h, State& to) {
   kick_.start(system, from, work_);
   prepareResult(from, h, to);
   std::fill(dx_.begin(), dx_.end(), 0.0);
@@ -78,15 +78,16 @@ StepResult Composition::step(const System& system, const State& from, double h, 
   return finiteOrFailure(system, from, to, 0.0);
 }
 
-StepResult Composition::stepIncrement(const System& system, const State& from, double h, State& increment) {
+StepResult Composition::stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) {
   StepResult result = step(system, from, h, increment);
   increment.x = dx_;
   increment.v = dv_;
   return result;
 }
 
-void Composition::interpolate(const System& system, const State& from, const State& to, double theta, State& out) {
-  if (info_.order <= 4) return Method::interpolate(system, from, to, theta, out);
+void Composition::interpolate(const DynamicalSystem& system, const State& from, const State& to, double theta,
+                              State& out) {
+  if (info_.order <= 4) return Integrator::interpolate(system, from, to, theta, out);
   Kick kept = kick_;  // the force at the end of the step, which the next may begin with
   kick_.restart();
   step(system, from, theta * (to.t - from.t), out);

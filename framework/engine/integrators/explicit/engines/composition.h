@@ -1,8 +1,8 @@
 #pragma once
+#include "engine/integrator.h"
 #include "engine/integrators/explicit/engines/drag_factors.h"
 #include "engine/integrators/explicit/engines/kick.h"
 #include "engine/integrators/explicit/tableaus.h"
-#include "engine/method.h"
 
 #include <vector>
 
@@ -14,23 +14,25 @@ namespace muelle::engine {
 /// the composition keeps its order; in the negative steps velocities grow by exp(|h| d / m), which bounds the drag that
 /// it can bear. Other velocity-dependent forces are evaluated at a predicted velocity, twice a substep; the substep is
 /// then of second order but not symmetric, and the whole of third.
-class Composition : public Method {
+class Composition : public Integrator {
  public:
   Composition(MethodInfo info, const Coefficients& fractions);
 
   const MethodInfo& info() const override { return info_; }
-  void prepare(const System& system, const Tolerance& tolerance) override;
-  StepResult step(const System& system, const State& from, double h, State& to) override;
+  void prepare(const DynamicalSystem& system, const Tolerance& tolerance) override;
+  StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override;
   bool hasIncrements() const override { return true; }
-  StepResult stepIncrement(const System& system, const State& from, double h, State& increment) override;
+  StepResult stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) override;
   /// Above order 4 by a shorter step: the Hermite interpolant would be the largest error.
-  void interpolate(const System& system, const State& from, const State& to, double theta, State& out) override;
+  void interpolate(const DynamicalSystem& system, const State& from, const State& to, double theta,
+                   State& out) override;
   void restart() override { kick_.restart(); }
   void accept() override { kick_.accept(); }
 
  private:
   /// dv += kick a, then the drift of h; leaves the velocity predicted for the end of the substep.
-  void kickAndDrift(const System& system, const State& from, double kick, double h, DragFactors& factors, State& to);
+  void kickAndDrift(const DynamicalSystem& system, const State& from, double kick, double h, DragFactors& factors,
+                    State& to);
   void kick(const State& from, double h, State& to);
 
   MethodInfo info_;

@@ -15,7 +15,7 @@ ExplicitRungeKutta::ExplicitRungeKutta(MethodInfo info, const ButcherTableau& ta
   for (const Coefficients& row : tableau.a) a_.push_back(rounded(row));
 }
 
-void ExplicitRungeKutta::prepare(const System& system, const Tolerance& tolerance) {
+void ExplicitRungeKutta::prepare(const DynamicalSystem& system, const Tolerance& tolerance) {
   tolerance_ = tolerance;
   size_ = static_cast<std::size_t>(system.size());
   const std::span<const double> mass = system.mass();
@@ -37,14 +37,14 @@ void ExplicitRungeKutta::restart() {
 
 void ExplicitRungeKutta::accept() { accepted_ = true; }
 
-void ExplicitRungeKutta::evaluate(const System& system, double t, In x, In z, std::size_t j) {
+void ExplicitRungeKutta::evaluate(const DynamicalSystem& system, double t, In x, In z, std::size_t j) {
   const Out a = acceleration(j);
   system.force(t, x, velocity(j), z, a);
   ++work_.forceEvaluations;
   for (std::size_t i = 0; i < size_; ++i) a[i] *= inverseMass_[i];
 }
 
-void ExplicitRungeKutta::provideFirstSlope(const System& system, const State& from) {
+void ExplicitRungeKutta::provideFirstSlope(const DynamicalSystem& system, const State& from) {
   const bool goesOn = accepted_ && endKnown_ && end_.matches(from);
   const bool again = start_.matches(from);
   accepted_ = endKnown_ = false;
@@ -58,7 +58,7 @@ void ExplicitRungeKutta::provideFirstSlope(const System& system, const State& fr
   start_.set(from);
 }
 
-StepResult ExplicitRungeKutta::step(const System& system, const State& from, double h, State& to) {
+StepResult ExplicitRungeKutta::step(const DynamicalSystem& system, const State& from, double h, State& to) {
   provideFirstSlope(system, from);
   for (std::size_t i = 1; i < stages(); ++i) {
     combine(a_[i], from, h, stage_, velocity(i));
@@ -71,7 +71,8 @@ StepResult ExplicitRungeKutta::step(const System& system, const State& from, dou
   return finiteOrFailure(system, from, to, error(from, to, h));
 }
 
-StepResult ExplicitRungeKutta::stepIncrement(const System& system, const State& from, double h, State& increment) {
+StepResult ExplicitRungeKutta::stepIncrement(const DynamicalSystem& system, const State& from, double h,
+                                             State& increment) {
   StepResult result = step(system, from, h, increment);
   Combination positions, velocities;
   for (std::size_t j = 0; j < stages(); ++j) {
@@ -83,7 +84,7 @@ StepResult ExplicitRungeKutta::stepIncrement(const System& system, const State& 
   return result;
 }
 
-void ExplicitRungeKutta::ensureEndSlope(const System& system, const State& from, const State& to) {
+void ExplicitRungeKutta::ensureEndSlope(const DynamicalSystem& system, const State& from, const State& to) {
   if (endKnown_) return;
   std::copy(to.v.begin(), to.v.end(), velocity(endSlope()).begin());
   // With the internal variables of the step: those of `to` may already be the next one's.

@@ -9,15 +9,15 @@ namespace muelle::engine {
 
 /// Explicit Runge-Kutta methods. Each stage is one fused sum over the slopes before it; the velocity of a stage is
 /// written where it serves as the position's slope, so nothing is copied.
-class ExplicitRungeKutta : public Method {
+class ExplicitRungeKutta : public Integrator {
  public:
   ExplicitRungeKutta(MethodInfo info, const ButcherTableau& tableau);
 
   const MethodInfo& info() const override { return info_; }
-  void prepare(const System& system, const Tolerance& tolerance) override;
-  StepResult step(const System& system, const State& from, double h, State& to) override;
+  void prepare(const DynamicalSystem& system, const Tolerance& tolerance) override;
+  StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override;
   bool hasIncrements() const override { return true; }
-  StepResult stepIncrement(const System& system, const State& from, double h, State& increment) override;
+  StepResult stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) override;
   void restart() override;
   void accept() override;
 
@@ -29,11 +29,11 @@ class ExplicitRungeKutta : public Method {
   /// x, v of out = those of from + h sum_j weights_j k_j.
   void combine(std::span<const double> weights, const State& from, double h, Out x, Out v) const;
   /// Slope number j at time t: velocities must have been written to velocity(j).
-  void evaluate(const System& system, double t, In x, In z, std::size_t j);
+  void evaluate(const DynamicalSystem& system, double t, In x, In z, std::size_t j);
   /// Extra room for slopes after the stages, for a dense output; before prepare().
   void reserveSlopes(std::size_t extra) { extraSlopes_ = extra; }
   /// Evaluates the slope at the end of the step, as slope number stages(), unless it is held already.
-  void ensureEndSlope(const System& system, const State& from, const State& to);
+  void ensureEndSlope(const DynamicalSystem& system, const State& from, const State& to);
 
   std::size_t stages() const { return b_.size(); }
   std::span<const double> weights() const { return b_; }
@@ -44,7 +44,7 @@ class ExplicitRungeKutta : public Method {
 
  private:
   std::size_t endSlope() const { return firstSameAsLast_ ? stages() - 1 : stages(); }
-  void provideFirstSlope(const System& system, const State& from);
+  void provideFirstSlope(const DynamicalSystem& system, const State& from);
 
   MethodInfo info_;
   std::vector<double> c_, b_, errorWeights_;

@@ -4,7 +4,7 @@
 
 namespace muelle::engine {
 
-void Kick::prepare(const System& system) {
+void Kick::prepare(const DynamicalSystem& system) {
   drag_ = system.drag();
   usesVelocity_ = drag_ != nullptr ? drag_->remainderUsesVelocity() : system.forceUsesVelocity();
   const std::span<const double> mass = system.mass();
@@ -19,7 +19,7 @@ void Kick::restart() {
   end_.clear();
 }
 
-void Kick::evaluate(const System& system, double t, In x, In v, In z, Work& work) {
+void Kick::evaluate(const DynamicalSystem& system, double t, In x, In v, In z, Work& work) {
   if (drag_ != nullptr) {
     drag_->forceWithoutDrag(t, x, v, z, acceleration_);
   } else {
@@ -29,7 +29,7 @@ void Kick::evaluate(const System& system, double t, In x, In v, In z, Work& work
   for (std::size_t i = 0; i < acceleration_.size(); ++i) acceleration_[i] *= inverseMass_[i];
 }
 
-void Kick::start(const System& system, const State& from, Work& work) {
+void Kick::start(const DynamicalSystem& system, const State& from, Work& work) {
   const bool kept = accepted_ && end_.matches(from);
   accepted_ = false;
   end_.clear();

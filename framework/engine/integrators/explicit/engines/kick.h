@@ -1,6 +1,6 @@
 #pragma once
+#include "engine/dynamical_system.h"
 #include "engine/integrators/explicit/engines/state_mark.h"
-#include "engine/system.h"
 #include "engine/work.h"
 
 #include <vector>
@@ -11,12 +11,12 @@ namespace muelle::engine {
 /// Knows whether it may be kept from the end of a step to the start of the next.
 class Kick {
  public:
-  void prepare(const System& system);
+  void prepare(const DynamicalSystem& system);
   void restart();
   /// Acceleration [m/s^2] at a state.
-  void evaluate(const System& system, double t, In x, In v, In z, Work& work);
+  void evaluate(const DynamicalSystem& system, double t, In x, In v, In z, Work& work);
   /// Acceleration at the start of a step: the one kept from the accepted step before, when `from` is its end.
-  void start(const System& system, const State& from, Work& work);
+  void start(const DynamicalSystem& system, const State& from, Work& work);
   /// The present acceleration is that of the end of a step.
   void finish(const State& to);
   void accept() { accepted_ = true; }

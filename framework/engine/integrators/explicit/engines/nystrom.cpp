@@ -19,7 +19,7 @@ Nystrom::Nystrom(MethodInfo info, const NystromTableau& tableau)
   for (const Coefficients& row : tableau.a) a_.push_back(rounded(row));
 }
 
-void Nystrom::prepare(const System& system, const Tolerance& tolerance) {
+void Nystrom::prepare(const DynamicalSystem& system, const Tolerance& tolerance) {
   if (system.forceUsesVelocity()) {
     throw std::invalid_argument(
         fmt::format("{} needs a force that does not depend on the velocity: remove damping, drag and friction, or use "
@@ -44,14 +44,14 @@ void Nystrom::restart() {
   end_.clear();
 }
 
-void Nystrom::evaluate(const System& system, double t, In x, In v, In z, std::size_t j) {
+void Nystrom::evaluate(const DynamicalSystem& system, double t, In x, In v, In z, std::size_t j) {
   const Out a(accelerations_[j], size_);
   system.force(t, x, v, z, a);
   ++work_.forceEvaluations;
   for (std::size_t i = 0; i < size_; ++i) a[i] *= inverseMass_[i];
 }
 
-void Nystrom::provideFirst(const System& system, const State& from) {
+void Nystrom::provideFirst(const DynamicalSystem& system, const State& from) {
   if (start_.matches(from)) return;
   if (accepted_ && end_.matches(from)) {
     std::swap(accelerations_[0], accelerations_[stages() - 1]);
@@ -61,7 +61,7 @@ void Nystrom::provideFirst(const System& system, const State& from) {
   start_.set(from);
 }
 
-void Nystrom::advance(const System& system, const State& from, double h, State& to) {
+void Nystrom::advance(const DynamicalSystem& system, const State& from, double h, State& to) {
   for (std::size_t i = 1; i < stages(); ++i) {
     Combination stage;
     stage.add(c_[i], from.v.data());
@@ -80,7 +80,7 @@ void Nystrom::advance(const System& system, const State& from, double h, State& 
   velocities.addTo(from.v, h, to.v);
 }
 
-StepResult Nystrom::step(const System& system, const State& from, double h, State& to) {
+StepResult Nystrom::step(const DynamicalSystem& system, const State& from, double h, State& to) {
   provideFirst(system, from);
   accepted_ = false;
   end_.clear();
@@ -89,7 +89,7 @@ StepResult Nystrom::step(const System& system, const State& from, double h, Stat
   return finiteOrFailure(system, from, to, error(from, to, h));
 }
 
-StepResult Nystrom::stepIncrement(const System& system, const State& from, double h, State& increment) {
+StepResult Nystrom::stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) {
   StepResult result = step(system, from, h, increment);
   Combination positions, velocities;
   positions.add(1.0, from.v.data());
@@ -102,7 +102,7 @@ StepResult Nystrom::stepIncrement(const System& system, const State& from, doubl
   return result;
 }
 
-void Nystrom::interpolate(const System& system, const State& from, const State& to, double theta, State& out) {
+void Nystrom::interpolate(const DynamicalSystem& system, const State& from, const State& to, double theta, State& out) {
   // The first acceleration and the last, which the next step may begin with, are kept.
   provideFirst(system, from);
   std::swap(accelerations_[stages() - 1], accelerations_[stages()]);

@@ -9,25 +9,26 @@ namespace muelle::engine {
 
 /// Embedded Runge-Kutta-Nystroem pairs, for forces that do not depend on the velocity. A state inside the step is found
 /// by a shorter step, at full order: an interpolant of order 8 or 12 would cost as many evaluations.
-class Nystrom : public Method {
+class Nystrom : public Integrator {
  public:
   Nystrom(MethodInfo info, const NystromTableau& tableau);
 
   const MethodInfo& info() const override { return info_; }
-  void prepare(const System& system, const Tolerance& tolerance) override;
-  StepResult step(const System& system, const State& from, double h, State& to) override;
+  void prepare(const DynamicalSystem& system, const Tolerance& tolerance) override;
+  StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override;
   bool hasIncrements() const override { return true; }
-  StepResult stepIncrement(const System& system, const State& from, double h, State& increment) override;
-  void interpolate(const System& system, const State& from, const State& to, double theta, State& out) override;
+  StepResult stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) override;
+  void interpolate(const DynamicalSystem& system, const State& from, const State& to, double theta,
+                   State& out) override;
   void restart() override;
   void accept() override { accepted_ = true; }
 
  private:
   std::size_t stages() const { return c_.size(); }
-  void provideFirst(const System& system, const State& from);
-  void evaluate(const System& system, double t, In x, In v, In z, std::size_t j);
+  void provideFirst(const DynamicalSystem& system, const State& from);
+  void evaluate(const DynamicalSystem& system, double t, In x, In v, In z, std::size_t j);
   /// All stages after the first, and the result.
-  void advance(const System& system, const State& from, double h, State& to);
+  void advance(const DynamicalSystem& system, const State& from, double h, State& to);
   double error(const State& from, const State& to, double h) const;
 
   MethodInfo info_;

@@ -15,7 +15,7 @@ double massNorm(In vector, std::span<const double> mass) {
 
 }  // namespace
 
-void SpectralBound::prepare(const System& system) {
+void SpectralBound::prepare(const DynamicalSystem& system) {
   const auto n = static_cast<std::size_t>(system.size());
   perturbed_.resize(n);
   force_.resize(n);
@@ -34,7 +34,8 @@ void SpectralBound::prepare(const System& system) {
   calls_ = 0;
 }
 
-double SpectralBound::iterate(const System& system, const State& state, In acceleration, bool ofVelocity, Work& work) {
+double SpectralBound::iterate(const DynamicalSystem& system, const State& state, In acceleration, bool ofVelocity,
+                              Work& work) {
   Iteration& iteration = ofVelocity ? damping_ : stiffness_;
   const std::vector<double>& base = ofVelocity ? state.v : state.x;
   const std::span<const double> mass = system.mass();
@@ -59,7 +60,7 @@ double SpectralBound::iterate(const System& system, const State& state, In accel
   return found > 0.0 ? change : 0.0;
 }
 
-double SpectralBound::update(const System& system, const State& state, In acceleration, Work& work) {
+double SpectralBound::update(const DynamicalSystem& system, const State& state, In acceleration, Work& work) {
   if (!settled_) {
     for (const bool ofVelocity : {false, true}) {
       if (ofVelocity && !system.forceUsesVelocity()) continue;

@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/system.h"
+#include "engine/dynamical_system.h"
 #include "engine/work.h"
 
 #include <vector>
@@ -15,12 +15,12 @@ namespace muelle::engine {
 /// first-order matrix, which has complex pairs and does not converge, is needed.
 class SpectralBound {
  public:
-  void prepare(const System& system);
+  void prepare(const DynamicalSystem& system);
   /// Forgets how near the iteration was, keeping its vectors.
   void restart() { settled_ = false; }
   /// The bound, with a margin for an iteration that comes from below. acceleration: F/m at `state`. The first call
   /// iterates until two estimates agree within 2 %, later ones once every few calls.
-  double update(const System& system, const State& state, In acceleration, Work& work);
+  double update(const DynamicalSystem& system, const State& state, In acceleration, Work& work);
   /// The next update() iterates until it agrees, as the first.
   void doubt() { settled_ = false; }
 
@@ -30,7 +30,7 @@ class SpectralBound {
     double eigenvalue = 0.0;        ///< absolute, of the last iteration
   };
   /// One iteration; `ofVelocity`: on D instead of K. The relative change of the eigenvalue.
-  double iterate(const System& system, const State& state, In acceleration, bool ofVelocity, Work& work);
+  double iterate(const DynamicalSystem& system, const State& state, In acceleration, bool ofVelocity, Work& work);
 
   static constexpr int callsBetween = 10;
   static constexpr int mostIterations = 60;

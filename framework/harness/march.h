@@ -1,28 +1,33 @@
 #pragma once
-#include "harness/integrator.h"
 #include "harness/probes.h"
+#include "harness/symplectic_euler.h"
 #include "harness/trajectory.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace muelle {
 
-/// How a run goes.
-struct SimulationOptions {
+/// A method: one step of h [s] from `from` to `to`, which has the same sizes and is another object.
+using Step = std::function<void(const DynamicalSystem& system, const State& from, double h, State& to)>;
+
+/// How a march goes.
+struct MarchOptions {
   double h = 1e-3;        ///< step [s], positive
   double duration = 1.0;  ///< how long to simulate [s]; the last step is shortened to end there
   int outputEvery = 1;    ///< record every so many steps (the first and the last state always)
   std::vector<Probe> probes = {};
-  double explosion = 1e6;  ///< stop when the kinetic energy exceeds this multiple of its natural scale (see simulate())
+  double explosion = 1e6;  ///< stop when the kinetic energy exceeds this multiple of its natural scale (see march())
   std::string label = {};  ///< shown with a progress bar on a terminal when the run is long; empty: no bar
   /// Degrees of freedom a node (1, 2 or 3), to name nodes in a stop report. 0: 3 when the masses come in triples of
   /// equal numbers, otherwise 1.
   int dimension = 0;
 };
 
-/// Advances the system from `start` and records what happens. Every step is exactly h but the last, which is shortened
-/// to end at start.t + duration (a remainder below 1e-12 of the duration is rounding and makes no step of its own).
+/// Advances the system from `start` step by step and records what happens: the small run of demos and exercises. Every
+/// step is exactly h but the last, which is shortened to end at start.t + duration (a remainder below 1e-12 of the
+/// duration is rounding and makes no step of its own).
 ///
 /// Stops early, with a report in Trajectory::stop, when a position, velocity or force is not finite, or when the
 /// kinetic energy explodes; the states before that are kept, and the last of them is always recorded. The force is
@@ -41,7 +46,7 @@ struct SimulationOptions {
 ///
 /// Throws std::invalid_argument on sizes, masses or options that make no sense; what a force or a probe throws passes
 /// through.
-Trajectory simulate(const DynamicalSystem& system, Integrator& integrator, State start,
-                    const SimulationOptions& options);
+Trajectory march(const DynamicalSystem& system, State start, const MarchOptions& options,
+                 const Step& step = symplecticEulerStep);
 
 }  // namespace muelle

@@ -1,4 +1,4 @@
-#include "harness/simulate.h"
+#include "harness/march.h"
 
 #include "base/progress_bar.h"
 #include "harness/run_monitor.h"
@@ -14,12 +14,12 @@ namespace muelle {
 namespace {
 
 void require(bool holds, const std::string& message) {
-  if (!holds) throw std::invalid_argument("simulate: " + message);
+  if (!holds) throw std::invalid_argument("march: " + message);
 }
 
 bool isPositive(double value) { return value > 0.0 && std::isfinite(value); }
 
-void checkOptions(const SimulationOptions& options) {
+void checkOptions(const MarchOptions& options) {
   require(isPositive(options.h), fmt::format("the step h is {} s; it must be positive and finite", options.h));
   require(isPositive(options.duration),
           fmt::format("the duration is {} s; it must be positive and finite", options.duration));
@@ -55,7 +55,7 @@ struct StepPlan {
   double end;
   long long count;
 
-  StepPlan(double start, const SimulationOptions& options)
+  StepPlan(double start, const MarchOptions& options)
       : t0(start), h(options.h), end(start + options.duration), count(0) {
     // The division may round a whole number up; 1e-12 is far above its error (1e-16) and far below a step that matters.
     const double steps = std::ceil(options.duration / h * (1.0 - 1e-12));
@@ -110,8 +110,7 @@ class Recorder {
 
 }  // namespace
 
-Trajectory simulate(const DynamicalSystem& system, Integrator& integrator, State start,
-                    const SimulationOptions& options) {
+Trajectory march(const DynamicalSystem& system, State start, const MarchOptions& options, const Step& step) {
   checkOptions(options);
   checkSizes(system, start);
   const StepPlan plan(start.t, options);
@@ -124,19 +123,18 @@ Trajectory simulate(const DynamicalSystem& system, Integrator& integrator, State
   StopReport stop = monitor.checkStart(from);
   if (stop.stopped) return recorder.finish(std::move(stop));
 
-  integrator.prepare(system);
   State to = from;
-  for (long long step = 1; step <= plan.count; ++step) {
-    integrator.step(system, from, plan.length(step), to);
-    to.t = plan.time(step);  // not the running sum, whose rounding grows with the number of steps
+  for (long long i = 1; i <= plan.count; ++i) {
+    step(system, from, plan.length(i), to);
+    to.t = plan.time(i);  // not the running sum, whose rounding grows with the number of steps
     stop = monitor.checkStep(from, to);
     if (stop.stopped) {
       recorder.recordOnce(from);
       return recorder.finish(std::move(stop));
     }
     std::swap(from, to);
-    if (step % options.outputEvery == 0 || step == plan.count) recorder.record(from);
-    progress.update(static_cast<double>(step) / static_cast<double>(plan.count));
+    if (i % options.outputEvery == 0 || i == plan.count) recorder.record(from);
+    progress.update(static_cast<double>(i) / static_cast<double>(plan.count));
   }
   return recorder.finish({});
 }

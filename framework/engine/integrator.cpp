@@ -1,4 +1,4 @@
-#include "engine/method.h"
+#include "engine/integrator.h"
 
 namespace muelle::engine {
 
@@ -23,7 +23,7 @@ double cubic(double theta, double v0, double a0, double v1, double a1) {
 
 }  // namespace
 
-StepResult Method::stepIncrement(const System& system, const State& from, double h, State& increment) {
+StepResult Integrator::stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) {
   StepResult result = step(system, from, h, increment);
   for (std::size_t i = 0; i < from.x.size(); ++i) {
     increment.x[i] -= from.x[i];
@@ -32,7 +32,7 @@ StepResult Method::stepIncrement(const System& system, const State& from, double
   return result;
 }
 
-void Method::updateEnds(const System& system, const State& from, const State& to) {
+void Integrator::updateEnds(const DynamicalSystem& system, const State& from, const State& to) {
   const auto same = [](const State& a, const State& b) { return a.t == b.t && a.x == b.x && a.v == b.v && a.z == b.z; };
   if (ends_.system == &system && same(ends_.from, from) && same(ends_.to, to)) return;
   ends_.system = &system;
@@ -45,7 +45,8 @@ void Method::updateEnds(const System& system, const State& from, const State& to
   work_.forceEvaluations += 2;
 }
 
-void Method::interpolate(const System& system, const State& from, const State& to, double theta, State& out) {
+void Integrator::interpolate(const DynamicalSystem& system, const State& from, const State& to, double theta,
+                             State& out) {
   updateEnds(system, from, to);
   const double h = to.t - from.t;
   const auto n = from.x.size();

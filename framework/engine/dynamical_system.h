@@ -12,7 +12,7 @@ namespace muelle::engine {
 ///
 /// A null capability is one that the system lacks; a method that needs it says so before the first step.
 /// The functions are const, yet they may use scratch memory of the system: one thread a system.
-class System : public DynamicalSystem {
+class DynamicalSystem : public muelle::DynamicalSystem {
  public:
   /// Length of the internal variables z.
   virtual int internalSize() const { return 0; }

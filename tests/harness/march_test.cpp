@@ -18,24 +18,16 @@ FunctionSystem spoiltForce(std::size_t bad, double value) {
           }};
 }
 
-/// Spoils a position, or a velocity, in the seventh step.
-class FaultyMethod : public Integrator {
- public:
-  explicit FaultyMethod(bool position) : position_(position) {}
-  const char* name() const override { return "faulty"; }
-  void prepare(const DynamicalSystem&) override {}
-  void step(const DynamicalSystem&, const State& from, double, State& to) override {
+/// Stands still, and spoils a position, or a velocity, in the seventh step.
+Step faultyStep(bool position) {
+  return [position, steps = 0](const DynamicalSystem&, const State& from, double, State& to) mutable {
     to.x = from.x;
     to.v = from.v;
-    if (++steps_ == 7) (position_ ? to.x : to.v)[7] = std::numeric_limits<double>::infinity();
-  }
+    if (++steps == 7) (position ? to.x : to.v)[7] = std::numeric_limits<double>::infinity();
+  };
+}
 
- private:
-  bool position_;
-  int steps_ = 0;
-};
-
-TEST(SimulateStops, NamesTimeNodeAndAxisOfAForceThatIsNotFinite) {
+TEST(MarchStops, NamesTimeNodeAndAxisOfAForceThatIsNotFinite) {
   for (const double value : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
     const Trajectory path = run(spoiltForce(7, value), threeNodesAtRest, {.h = 0.05, .duration = 1.0});
     EXPECT_TRUE(path.stop.stopped);
@@ -47,21 +39,19 @@ TEST(SimulateStops, NamesTimeNodeAndAxisOfAForceThatIsNotFinite) {
   }
 }
 
-TEST(SimulateStops, NamesTimeNodeAndAxisOfAPositionOrVelocityThatIsNotFinite) {
+TEST(MarchStops, NamesTimeNodeAndAxisOfAPositionOrVelocityThatIsNotFinite) {
   const FunctionSystem system(std::vector<double>(9, 1.0), [](double, In, In, Out f) {
     for (double& entry : f) entry = 0.0;
   });
-  FaultyMethod position(true);
-  FaultyMethod velocity(false);
-  const SimulationOptions options{.h = 0.05, .duration = 1.0};
-  EXPECT_EQ(simulate(system, position, threeNodesAtRest, options).stop.message,
+  const MarchOptions options{.h = 0.05, .duration = 1.0};
+  EXPECT_EQ(march(system, threeNodesAtRest, options, faultyStep(true)).stop.message,
             "t = 0.35 s, node 2 (y): the position is not finite");
-  EXPECT_EQ(simulate(system, velocity, threeNodesAtRest, options).stop.message,
+  EXPECT_EQ(march(system, threeNodesAtRest, options, faultyStep(false)).stop.message,
             "t = 0.35 s, node 2 (y): the velocity is not finite");
 }
 
-TEST(SimulateStops, NamesNodesOfOtherDimensions) {
-  SimulationOptions options{.h = 0.05, .duration = 1.0};
+TEST(MarchStops, NamesNodesOfOtherDimensions) {
+  MarchOptions options{.h = 0.05, .duration = 1.0};
   options.dimension = 1;
   EXPECT_EQ(run(spoiltForce(7, NAN), threeNodesAtRest, options).stop.message,
             "t = 0.35 s, node 7: the force is not finite");
@@ -71,14 +61,14 @@ TEST(SimulateStops, NamesNodesOfOtherDimensions) {
   EXPECT_EQ(run(two, {0.0, {0, 0}, {0, 0}, {}}, options).stop.message, "t = 0 s, node 0 (y): the force is not finite");
 }
 
-TEST(SimulateStops, AtTheStartWhenTheStateIsNotFinite) {
+TEST(MarchStops, AtTheStartWhenTheStateIsNotFinite) {
   const Trajectory path = run(oscillator(1.0), {0.0, {NAN}, {0.0}, {}}, {});
   EXPECT_TRUE(path.stop.stopped);
   EXPECT_EQ(path.stop.message, "t = 0 s, node 0: the position is not finite");
   EXPECT_EQ(path.t.size(), 1u);
 }
 
-TEST(SimulateStops, RecordsTheLastGoodStateBetweenOutputs) {
+TEST(MarchStops, RecordsTheLastGoodStateBetweenOutputs) {
   const Trajectory path = run(spoiltForce(7, NAN), threeNodesAtRest, {.h = 0.05, .duration = 1.0, .outputEvery = 5});
   ASSERT_EQ(path.t.size(), 3u);
   EXPECT_NEAR(path.t[1], 0.25, 1e-12);
@@ -86,7 +76,7 @@ TEST(SimulateStops, RecordsTheLastGoodStateBetweenOutputs) {
 }
 
 // Symplectic Euler is unstable beyond h w = 2.
-TEST(SimulateStops, WhenTheEnergyExplodes) {
+TEST(MarchStops, WhenTheEnergyExplodes) {
   for (const double w : {2.1, 3.0, 1e3, 1e6}) {
     const Trajectory path = run(oscillator(w), {0.0, {1e-3}, {0.0}, {}}, {.h = 1.0, .duration = 1000.0});
     EXPECT_TRUE(path.stop.stopped) << w;
@@ -96,12 +86,12 @@ TEST(SimulateStops, WhenTheEnergyExplodes) {
   }
 }
 
-TEST(SimulateStops, WhenAForceWithTheWrongSignDrivesTheMotion) {
+TEST(MarchStops, WhenAForceWithTheWrongSignDrivesTheMotion) {
   const FunctionSystem wrong({1.0}, [](double, In x, In, Out f) { f[0] = 100.0 * x[0]; });
   EXPECT_TRUE(run(wrong, {0.0, {0.1}, {0.0}, {}}, {.h = 1e-3, .duration = 100.0}).stop.stopped);
 }
 
-TEST(SimulateGoesOn, ThroughAFallFromRest) {
+TEST(MarchGoesOn, ThroughAFallFromRest) {
   const Trajectory path = run(projectile(1e-3, Vec3(0, 0, -9.81e-3)), {0.0, {0, 0, 0}, {0, 0, 0}, {}},
                               {.h = 1.0, .duration = 1e5, .outputEvery = 1000});
   EXPECT_FALSE(path.stop.stopped) << path.stop.message;
@@ -109,16 +99,16 @@ TEST(SimulateGoesOn, ThroughAFallFromRest) {
   EXPECT_NEAR(path.last().v[2], -9.81e5, 1e5 * 0.5 * std::numeric_limits<double>::epsilon() * 1e6);
 }
 
-TEST(SimulateGoesOn, NearTheLimitOfStability) {
+TEST(MarchGoesOn, NearTheLimitOfStability) {
   EXPECT_FALSE(run(oscillator(1.99), {0.0, {1.0}, {0.0}, {}}, {.h = 1.0, .duration = 1e4}).stop.stopped);
 }
 
-TEST(SimulateGoesOn, WhenALoadComesAfterAStartInBalance) {
+TEST(MarchGoesOn, WhenALoadComesAfterAStartInBalance) {
   const FunctionSystem late({1.0}, [](double t, In, In, Out f) { f[0] = t > 0.5 ? 100.0 : 0.0; });
   EXPECT_FALSE(run(late, {0.0, {0.0}, {0.0}, {}}, {.h = 1e-2, .duration = 2.0}).stop.stopped);
 }
 
-TEST(SimulateSteps, ShortensTheLastOne) {
+TEST(MarchSteps, ShortensTheLastOne) {
   const Trajectory path = run(oscillator(1.0), {2.0, {1.0}, {0.0}, {}}, {.h = 0.3, .duration = 1.0});
   ASSERT_EQ(path.t.size(), 5u);
   EXPECT_EQ(path.t.back(), 3.0);
@@ -126,20 +116,20 @@ TEST(SimulateSteps, ShortensTheLastOne) {
   EXPECT_NEAR(path.v[4][0], path.v[3][0] - h * path.x[3][0], 1e-15);
 }
 
-TEST(SimulateSteps, MakesNoStepOutOfRounding) {
+TEST(MarchSteps, MakesNoStepOutOfRounding) {
   // 0.07 / 0.01 rounds to just above 7, 0.6 / 0.2 to just below 3.
   EXPECT_EQ(run(oscillator(1.0), {0.0, {1.0}, {0.0}, {}}, {.h = 0.01, .duration = 0.07}).t.size(), 8u);
   EXPECT_EQ(run(oscillator(1.0), {0.0, {1.0}, {0.0}, {}}, {.h = 0.2, .duration = 0.6}).t.size(), 4u);
 }
 
-TEST(SimulateSteps, TakesOneStepWhenTheStepIsLongerThanTheRun) {
+TEST(MarchSteps, TakesOneStepWhenTheStepIsLongerThanTheRun) {
   const Trajectory path = run(oscillator(1.0), {0.0, {1.0}, {0.0}, {}}, {.h = 5.0, .duration = 0.5});
   ASSERT_EQ(path.t.size(), 2u);
   EXPECT_EQ(path.t.back(), 0.5);
   EXPECT_DOUBLE_EQ(path.v.back()[0], -0.5);
 }
 
-TEST(SimulateOutput, KeepsFirstAndLastState) {
+TEST(MarchOutput, KeepsFirstAndLastState) {
   const Trajectory path = run(oscillator(1.0), {0.0, {1.0}, {0.0}, {}}, {.h = 0.1, .duration = 1.0, .outputEvery = 4});
   ASSERT_EQ(path.t.size(), 4u);
   EXPECT_EQ(path.t[0], 0.0);
@@ -148,9 +138,9 @@ TEST(SimulateOutput, KeepsFirstAndLastState) {
   EXPECT_EQ(path.t[3], 1.0);
 }
 
-TEST(SimulateOutput, HasAValueOfEachProbeForEachState) {
+TEST(MarchOutput, HasAValueOfEachProbeForEachState) {
   const FunctionSystem system = oscillator(1.0);
-  const SimulationOptions options{
+  const MarchOptions options{
       .h = 0.1,
       .duration = 1.0,
       .probes = {kineticEnergy(system), {"position", "m", [](const State& s) { return s.x[0]; }}}};
@@ -161,7 +151,7 @@ TEST(SimulateOutput, HasAValueOfEachProbeForEachState) {
   EXPECT_DOUBLE_EQ(path.track("kinetic energy")[0], 0.125);
 }
 
-TEST(SimulateOutput, IsReproducible) {
+TEST(MarchOutput, IsReproducible) {
   const Trajectory a = run(oscillator(1.7), {0.0, {1.0}, {0.0}, {}}, {.h = 0.01, .duration = 3.0});
   const Trajectory b = run(oscillator(1.7), {0.0, {1.0}, {0.0}, {}}, {.h = 0.01, .duration = 3.0});
   EXPECT_EQ(a.x, b.x);
@@ -175,12 +165,12 @@ long allocationsOfARun(double steps) {
   return allocationCount() - before;
 }
 
-TEST(SimulateSteps, AllocateNothing) { EXPECT_EQ(allocationsOfARun(10), allocationsOfARun(10000)); }
+TEST(MarchSteps, AllocateNothing) { EXPECT_EQ(allocationsOfARun(10), allocationsOfARun(10000)); }
 
-TEST(SimulateArguments, ThatMakeNoSenseAreRefused) {
+TEST(MarchArguments, ThatMakeNoSenseAreRefused) {
   const FunctionSystem system = oscillator(1.0);
   const State start{0.0, {1.0}, {0.0}, {}};
-  const auto refused = [&](const SimulationOptions& options) {
+  const auto refused = [&](const MarchOptions& options) {
     EXPECT_THROW(run(system, start, options), std::invalid_argument);
   };
   refused({.h = 0.0});
@@ -197,7 +187,7 @@ TEST(SimulateArguments, ThatMakeNoSenseAreRefused) {
   EXPECT_THROW(run(system, {0.0, {1.0}, {}, {}}, {}), std::invalid_argument);
 }
 
-TEST(SimulateArguments, WhatAForceThrowsPassesThrough) {
+TEST(MarchArguments, WhatAForceThrowsPassesThrough) {
   const FunctionSystem system({1.0}, [](double, In, In, Out) { throw std::domain_error("from the force"); });
   EXPECT_THROW(run(system, {0.0, {1.0}, {0.0}, {}}, {}), std::domain_error);
 }

@@ -1,6 +1,6 @@
 #pragma once
+#include "engine/dynamical_system.h"
 #include "engine/method_info.h"
-#include "engine/system.h"
 #include "engine/work.h"
 
 #include <string>
@@ -32,16 +32,16 @@ struct StepResult {
 
 /// A method that advances a system by one step and does nothing else: step control, events, output, commits and failure
 /// reports belong to simulate().
-class Method {
+class Integrator {
  public:
-  virtual ~Method() = default;
+  virtual ~Integrator() = default;
 
   virtual const MethodInfo& info() const = 0;
   /// Called once before the first step, and again for another system: checks that the system has what the method needs
   /// (std::invalid_argument names the method and the missing capability) and allocates, so that a step does not.
-  virtual void prepare(const System& system, const Tolerance& tolerance) = 0;
+  virtual void prepare(const DynamicalSystem& system, const Tolerance& tolerance) = 0;
   /// One step of h [s], positive, from `from` to `to`: another object with the same sizes. z is copied, t advanced.
-  virtual StepResult step(const System& system, const State& from, double h, State& to) = 0;
+  virtual StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) = 0;
 
   /// Whether stepIncrement() knows the change over a step better than the difference of two rounded states does.
   virtual bool hasIncrements() const { return false; }
@@ -50,7 +50,7 @@ class Method {
   /// and v hold the low parts of the state, which its doubles have lost (or are empty); a method may add them to the
   /// positions at which it evaluates forces, and does not add them to the increment. The default is the difference of
   /// the states.
-  virtual StepResult stepIncrement(const System& system, const State& from, double h, State& increment);
+  virtual StepResult stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment);
 
   /// Forgets what was kept from earlier steps (last force, earlier states): after a discontinuity.
   virtual void restart() {}
@@ -58,7 +58,7 @@ class Method {
   virtual void accept() {}
   /// The state inside the last step, theta in [0, 1], for output and to find events. The default is the quintic (x) and
   /// cubic (v) Hermite interpolant, with two force evaluations a step; methods with a dense output of their own use it.
-  virtual void interpolate(const System& system, const State& from, const State& to, double theta, State& out);
+  virtual void interpolate(const DynamicalSystem& system, const State& from, const State& to, double theta, State& out);
 
   /// What the tolerance is a part of, from the next step on. Without a call 1 m and 1 m/s.
   void measureErrorsBy(const ErrorScale& scale) { errorScale_ = scale; }
@@ -78,11 +78,11 @@ class Method {
  private:
   /// The forces at both ends of the step that the default interpolate() was last asked about.
   struct Ends {
-    const System* system = nullptr;
+    const DynamicalSystem* system = nullptr;
     State from, to;
     std::vector<double> forceFrom, forceTo;
   };
-  void updateEnds(const System& system, const State& from, const State& to);
+  void updateEnds(const DynamicalSystem& system, const State& from, const State& to);
 
   Ends ends_;
 };
