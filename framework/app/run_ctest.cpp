@@ -10,7 +10,7 @@ namespace muelle::app {
 
 int runCtest(const std::vector<std::string>& selection) {
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-  const unsigned tests = cores + (cores + 1) / 2;  // a test of limits waits more than it works
+  const unsigned tests = 2 * cores + 1;  // a test of limits waits more than it works
   std::vector<std::string> command{"ctest",           "--test-dir",          build_paths::binary,
                                    "--parallel",      std::to_string(tests), "--output-on-failure",
                                    "--no-tests=error"};
