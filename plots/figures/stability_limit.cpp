@@ -12,9 +12,9 @@ namespace muelle::plots {
 namespace {
 
 constexpr double mostStep = 3.6, mostGrowth = 3.0;  // of what is shown
-constexpr double mostEnd = 30.0;                    // [mm], three times the chain's right answer
+constexpr double mostEnd = 3.0;                     // [mm], three times the chain's right answer
 
-/// Ten nodes in a row, the last of which is struck.
+/// Ten nodes in a row, the last of which is struck, so weakly that no spring passes through zero length in the picture.
 engine::Model struckChain() {
   engine::Model model;
   model.dimension = 1;
@@ -22,7 +22,7 @@ engine::Model struckChain() {
   for (int i = 0; i <= 10; ++i) model.nodes[static_cast<std::size_t>(i)].x[0] = 0.1 * i;
   for (int i = 0; i < 10; ++i) model.springs.push_back({.a = i, .b = i + 1, .k = 1000.0, .L0 = 0.1});
   model.nodes[0].pinned = true;
-  model.nodes[10].v[0] = 1.0;
+  model.nodes[10].v[0] = 0.1;
   for (auto& node : model.nodes) node.m = 0.1;
   return model;
 }
@@ -84,9 +84,9 @@ void addChain(Figure::PanelBuilder panel) {
   panel.heading(fmt::format("velocity Verlet on a chain: limit 2/ωₘₐₓ = {:.1f} ms", 1e3 * limit));
   panel.xLabel("time [s]").yRange(-mostEnd, mostEnd);
   addFreeEnd(panel, *system, 0.99 * limit, 0);
-  panel.nameAt(0.43, 13, "h = 0.99 × limit");
+  panel.nameAt(0.43, 1.3, "h = 0.99 × limit");
   const std::string leaves = addFreeEnd(panel, *system, 1.01 * limit, 1);
-  panel.nameAt(0.24, 27, "h = 1.01 × limit").nameAt(0.24, 23, leaves);
+  panel.nameAt(0.24, 2.7, "h = 1.01 × limit").nameAt(0.24, 2.3, leaves);
 }
 
 }  // namespace
