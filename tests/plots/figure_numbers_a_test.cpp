@@ -129,32 +129,58 @@ TEST(OrderOfConvergence, EachCurveFallsByTwoToTheOrderDownToRoundOff) {
   for (const double error : curveNamed(panel, "symplectic Euler").y) EXPECT_GT(error, 1e-6);
 }
 
-/// The error that velocity Verlet leaves on the conical pendulum after 2 s, written out here.
-double verletError(int steps) {
-  const Vec3 gravity(0.0, 0.0, -9.81);
-  const auto acceleration = [&](const Vec3& x) -> Vec3 {
-    const double length = x.norm();
-    return gravity - 100.0 * (length - 0.858375) / length * x;
-  };
-  Vec3 x(0.8175, 0.0, -0.613125), v(0.0, 3.27, 0.0), a = acceleration(x);
-  const double h = 2.0 / steps;
-  for (int i = 0; i < steps; ++i) {
-    x += h * v + 0.5 * h * h * a;
-    const Vec3 next = acceleration(x);
-    v += 0.5 * h * (a + next);
-    a = next;
-  }
-  return (x - Vec3(0.8175 * std::cos(8.0), 0.8175 * std::sin(8.0), -0.613125)).norm();
+struct Motion {
+  Vec3 x{0.8175, 0.0, -0.613125}, v{0.0, 3.27, 0.0};
+};
+
+Vec3 pendulumAcceleration(const Vec3& x) {
+  const double length = x.norm();
+  return Vec3(0.0, 0.0, -9.81) - 100.0 * (length - 0.858375) / length * x;
 }
 
-TEST(OrderOfConvergence, VerletsErrorsAreThoseOfItsRecurrenceAndTrianglesSayTheirSlope) {
+// The methods' formulas, written out here.
+void symplecticEulerStep(Motion& m, double h) {
+  m.v += h * pendulumAcceleration(m.x);
+  m.x += h * m.v;
+}
+
+void verletStep(Motion& m, double h) {
+  const Vec3 a = pendulumAcceleration(m.x);
+  m.x += h * m.v + 0.5 * h * h * a;
+  m.v += 0.5 * h * (a + pendulumAcceleration(m.x));
+}
+
+void rungeKuttaStep(Motion& m, double h) {
+  const Vec3 v1 = m.v, a1 = pendulumAcceleration(m.x);
+  const Vec3 v2 = m.v + 0.5 * h * a1, a2 = pendulumAcceleration(m.x + 0.5 * h * v1);
+  const Vec3 v3 = m.v + 0.5 * h * a2, a3 = pendulumAcceleration(m.x + 0.5 * h * v2);
+  const Vec3 v4 = m.v + h * a3, a4 = pendulumAcceleration(m.x + h * v3);
+  m.x += h / 6.0 * (v1 + 2.0 * v2 + 2.0 * v3 + v4);
+  m.v += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+}
+
+/// The error that so many steps leave on the conical pendulum after 2 s.
+double pendulumError(void (*step)(Motion&, double), int steps) {
+  Motion m;
+  for (int i = 0; i < steps; ++i) step(m, 2.0 / steps);
+  return (m.x - Vec3(0.8175 * std::cos(8.0), 0.8175 * std::sin(8.0), -0.613125)).norm();
+}
+
+TEST(OrderOfConvergence, ErrorsAreThoseOfTheFormulasAndTrianglesSayTheirSlope) {
   const Panel panel = drawn("order_of_convergence").panels()[0];
-  const Series& errors = curveNamed(panel, "velocity Verlet");
-  for (std::size_t i = 0; i < errors.x.size(); ++i) {
-    const int steps = static_cast<int>(std::lround(2.0 / errors.x[i]));
-    if (steps > 4096) break;
-    // Rounding of 1e-13 m in errors that are above 1e-7 m.
-    EXPECT_NEAR(errors.y[i] / verletError(steps), 1.0, 1e-6) << steps;
+  const std::pair<std::string, void (*)(Motion&, double)> methods[] = {{"symplectic Euler", symplecticEulerStep},
+                                                                       {"velocity Verlet", verletStep},
+                                                                       {"classical Runge-Kutta", rungeKuttaStep}};
+  for (const auto& [name, step] : methods) {
+    const Series& errors = curveNamed(panel, name);
+    ASSERT_GT(errors.x.size(), 10U);
+    for (std::size_t i = 0; i < errors.x.size(); ++i) {
+      const int steps = static_cast<int>(std::lround(2.0 / errors.x[i]));
+      if (steps > 1024) break;
+      // A thousand steps round by at most 1e-13 m.
+      const double expected = pendulumError(step, steps);
+      EXPECT_NEAR(errors.y[i], expected, 1e-6 * expected + 1e-13) << name << ", " << steps;
+    }
   }
   Numbers powers;
   for (const Series& series : panel.series) {
