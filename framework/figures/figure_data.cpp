@@ -41,7 +41,7 @@ std::string leavingWords(const Series& series, const Figure& figure, const Panel
   if (series.pen == Pen::Reference) return "";
   const std::optional<std::size_t> exit = exitOf(series, figure, panel);
   if (!exit) return "";
-  if (figure.hasEqualAxes()) return "leaves the picture";
+  if (figure.hasEqualAxes() || panel.equalAxes) return "leaves the picture";
   const std::string& label = xLabelOf(figure, panel);
   const std::size_t unit = std::min(label.find(" ["), label.size());
   std::string quantity = label.substr(0, unit);

@@ -4,6 +4,8 @@
 #include "figures/ranges.h"
 #include "figures/script_text.h"
 
+#include <algorithm>
+
 namespace muelle::figures {
 
 namespace {
@@ -93,10 +95,18 @@ class PanelScript {
   }
 
   void writeNote(const Note& note) {
-    // A field is dark almost everywhere.
-    script_.put("set label {} at {:.10g},{:.10g} {} front noenhanced font ',{}' textcolor rgb '{}'", quoted(note.text),
+    script_.put("set label {} at {:.10g},{:.10g} {} front noenhanced font ',{}' textcolor {}", quoted(note.text),
                 note.x, note.y, note.centred ? "center" : "left offset character 0.7,0",
-                panel_.xNames.empty() ? 16 : 10, panel_.field ? "#ffffff" : "#111111");
+                panel_.xNames.empty() ? 16 : 10, colourOf(note));
+  }
+
+  std::string colourOf(const Note& note) const {
+    if (note.curve < 0) return panel_.field ? "rgb '#ffffff'" : "rgb '#111111'";  // a field is dark almost everywhere
+    const Series* named = &panel_.series[static_cast<std::size_t>(note.curve)];
+    if (isUnderneath(named->pen)) return "rgb '#6a6a6a'";  // the grey of a line is too light for letters
+    const auto curve =
+        std::ranges::find_if(drawn_.curves, [named](const Curve& drawn) { return drawn.series == named; });
+    return fmt::format("ls {}", curve->style);
   }
 
   void writeColours(const Field& field) {

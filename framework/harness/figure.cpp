@@ -200,6 +200,24 @@ Figure::PanelBuilder& Figure::PanelBuilder::note(double x, double y, std::string
   return *this;
 }
 
+Figure::PanelBuilder& Figure::PanelBuilder::nameAt(double x, double y, std::string text, bool centred) {
+  if (panel().series.empty()) throw std::invalid_argument("Figure: nameAt() before any curve");
+  note(x, y, std::move(text), centred);
+  panel().notes.back().curve = static_cast<int>(panel().series.size()) - 1;
+  return *this;
+}
+
+Figure::PanelBuilder& Figure::PanelBuilder::slope(double x, double y, double across, double power, std::string text) {
+  if (!(x > 0.0 && y > 0.0 && across > 1.0 && power > 0.0)) {
+    throw std::invalid_argument(fmt::format(
+        "Figure: a slope rises to the right from a positive point, not from ({}, {}) by a factor {} to the power {}", x,
+        y, across, power));
+  }
+  const double right = x * across, top = y * std::pow(across, power);
+  structure("", {x, right, right, x}, {y, y, top, y});
+  return note(right, std::sqrt(y * top), std::move(text));
+}
+
 Figure::PanelBuilder& Figure::PanelBuilder::field(Field field) {
   requireDrawable("label of the colours", field.label);
   if (!isEquallySpaced(field.x) || !isEquallySpaced(field.y)) {

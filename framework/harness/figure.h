@@ -33,7 +33,8 @@ struct Series {
 struct Note {
   double x, y;
   std::string text;
-  bool centred;  ///< else to the right of the point
+  bool centred;    ///< else to the right of the point
+  int curve = -1;  ///< position in the panel of the curve that it names, and whose colour it has; -1: none
 };
 
 /// The ends of an axis or of a scale that are not left to the data.
@@ -120,6 +121,12 @@ class Figure {
     PanelBuilder& xRange(double low, double high);
     PanelBuilder& yRange(double low, double high);
     PanelBuilder& note(double x, double y, std::string text, bool centred = false);
+    /// A note in the colour of the curve added last: a name at the curve, in place of one in the key.
+    PanelBuilder& nameAt(double x, double y, std::string text, bool centred = false);
+    /// A triangle under a power law on logarithmic axes, grey: from (x, y) to the right by the factor `across`, up by
+    /// across^power, and back; `text` stands beside its upright side. Throws std::invalid_argument unless x and y are
+    /// positive, across > 1 and power > 0.
+    PanelBuilder& slope(double x, double y, double across, double power, std::string text);
     /// Throws std::invalid_argument when the values do not fill the grid, or its lines are not equally spaced.
     PanelBuilder& field(Field field);
     /// Names instead of 0, 1, 2 ... along an axis.

@@ -21,28 +21,44 @@ engine::Model pair() {
   return model;
 }
 
+/// A measure of each output [% of the first].
+std::vector<double> percent(const Trajectory& path, const std::function<double(const State&)>& measure) {
+  std::vector<double> values = along(path, measure);
+  const double first = values.front();
+  for (double& value : values) value *= 100.0 / first;
+  return values;
+}
+
 }  // namespace
 
-/// Slide "Amortiguamiento": what each of the three dampings takes from a rigid motion.
+/// Slide "Amortiguamiento": what each of the three dampings takes from a rigid motion, with the same d.
 Figure damping_rotating_pair() {
-  Figure figure("damping_rotating_pair", "Only projected damping leaves a rigid motion alone", "time [s]");
+  constexpr double d = 0.3, duration = 5.0;
+  Figure figure("damping_rotating_pair",
+                "Only projected damping takes nothing from a rigid motion: the pair turns and drifts on", "time [s]");
   figure.slide(2);
   engine::Model node = pair(), relative = pair(), projected = pair();
-  for (auto& n : node.nodes) n.drag = 0.6;
-  relative.springs[0].dRelative = 0.3;
-  projected.springs[0].dProjected = 0.3;
-  auto turning = figure.panel("angular momentum [kg m²/s]");
-  turning.heading("a pair on a spring turns").yRange(0.0, 4.0);
-  auto drifting = figure.panel("momentum [kg m/s]");
-  drifting.heading("and drifts").yRange(0.0, 4.0);
-  for (const engine::Model* model : {&node, &relative, &projected}) {
-    const auto system = engine::build(*model);
-    const Trajectory trajectory = run(*system, "runge_kutta_4", 1e-3, 5.0, 0.01).trajectory;
-    turning.line("", trajectory.t, along(trajectory, [&](const State& s) { return system->angularMomentum(s).z(); }));
-    drifting.line("", trajectory.t, along(trajectory, [&](const State& s) { return system->momentum(s).x(); }));
-  }
-  turning.note(1.6, 2.2, "node and relative").note(2.0, 3.5, "projected");
-  drifting.note(1.6, 2.0, "node").note(1.6, 3.2, "relative and projected");
+  for (auto& n : node.nodes) n.drag = d;
+  relative.springs[0].dRelative = d;
+  projected.springs[0].dProjected = d;
+  auto turning = figure.panel("angular momentum [%]");
+  turning.heading("a pair turns: m = 1.5 kg, d = 0.3 kg/s").yRange(0, 110);
+  auto drifting = figure.panel("momentum [%]");
+  drifting.heading("and drifts").yRange(0, 110);
+  const auto add = [&](const engine::Model& model) {
+    const auto system = engine::build(model);
+    const Trajectory path = run(*system, "runge_kutta_4", 1e-3, duration, 0.01).trajectory;
+    turning.line("", path.t, percent(path, [&](const State& s) { return system->angularMomentum(s).z(); }));
+    drifting.line("", path.t, percent(path, [&](const State& s) { return system->momentum(s).x(); }));
+  };
+  add(node);
+  turning.nameAt(1.9, 74, "at the nodes: exp(−dt/m)");
+  drifting.nameAt(1.9, 74, "at the nodes: exp(−dt/m)");
+  add(relative);
+  turning.nameAt(0.3, 25, "relative: exp(−2dt/m)");
+  add(projected);
+  turning.nameAt(1.5, 105, "projected");
+  drifting.note(1.5, 105, "relative and projected");
   return figure;
 }
 

@@ -8,47 +8,54 @@ namespace muelle::plots {
 
 namespace {
 
-/// log10 of the growth a step over h omega and the damping ratio, cut at tenfold either way.
-Field growthField(const std::string& id) {
+constexpr double mostDamping = 1.5, mostStep = 3.5;  // of what is shown
+
+/// The least h omega from which on a step grows; NaN beyond what the picture shows.
+double limitOf(engine::Amplification& amplification, double zeta) {
+  const auto grows = [&](double z) { return amplification.growth(z * z, 2.0 * zeta * z) > 1.0 + 1e-9; };
+  constexpr double apart = 0.02;
+  constexpr int halvings = 25;
+  double low = 0.0, high = apart;
+  for (; !grows(high); high += apart) {
+    if (high > mostStep) return NAN;
+    low = high;
+  }
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (grows(middle) ? high : low) = middle;
+  }
+  return low;
+}
+
+void addLimits(Figure::PanelBuilder& panel, const std::string& id, int colour) {
   const auto method = engine::makeMethod(id);
   engine::Amplification amplification(*method);
-  Field field;
-  field.x = linear(0.02, 4.0, 200);
-  field.y = linear(0.0, 2.0, 100);
-  for (const double zeta : field.y) {
-    for (const double z : field.x) {
-      const double growth = amplification.growth(z * z, 2.0 * zeta * z);
-      field.values.push_back(std::clamp(std::log10(growth), -1.0, 1.0));
-    }
-  }
-  field.label = "log10 growth";
-  field.range = {-1.0, 1.0};
-  return field;
+  const std::vector<double> damping = linear(0.0, mostDamping, 301);
+  std::vector<double> limits;
+  for (const double zeta : damping) limits.push_back(limitOf(amplification, zeta));
+  panel.line("", damping, limits).colour(colour);
 }
 
 }  // namespace
 
-/// Where a step makes a damped oscillator grow: each method's own step, measured.
+/// The largest step at which a damped oscillator does not grow: each method's own step, measured.
 Figure stability_regions() {
   Figure figure("stability_regions",
-                "Right of the line a method makes grow what should decay; backward Euler has no line", "h omega");
-  figure.slide(2);
-  for (const std::string id : {"symplectic_euler", "runge_kutta_4", "dormand_prince_5", "backward_euler"}) {
-    const Field field = growthField(id);
-    // The rim: the first h omega that grows by more than rounding, for each damping.
-    std::vector<double> rimX, rimY;
-    for (std::size_t j = 0; j < field.y.size(); ++j) {
-      for (std::size_t i = 0; i < field.x.size(); ++i) {
-        if (field.values[j * field.x.size() + i] <= 1e-9) continue;
-        rimX.push_back(field.x[i]);
-        rimY.push_back(field.y[j]);
-        break;
-      }
-    }
-    auto panel = figure.panel("damping ratio");
-    panel.heading(engine::methodInfo(id).name).field(field).xRange(0.0, 4.0).yRange(0.0, 2.0);
-    if (!rimX.empty()) panel.line("", rimX, rimY).colour(1);
-  }
+                "Stable below the line: damping makes room for explicit Euler and takes it from symplectic Euler",
+                "damping ratio ζ = d / (2mω)");
+  figure.slide();
+  auto panel = figure.panel("largest hω");
+  panel.xRange(0, mostDamping).yRange(0, mostStep);
+  addLimits(panel, "runge_kutta_4", 2);
+  panel.nameAt(0.3, 3.1, "classical Runge-Kutta");
+  addLimits(panel, "velocity_verlet", 3);
+  panel.nameAt(0.5, 2.15, "velocity Verlet");
+  addLimits(panel, "symplectic_euler", 0);
+  panel.nameAt(0.75, 0.5, "symplectic Euler: 2(√(1 + ζ²) − ζ)");
+  addLimits(panel, "explicit_euler", 1);
+  panel.nameAt(0.25, 0.3, "explicit Euler: 2ζ up to ζ = 1");
+  addLimits(panel, "backward_euler", 4);
+  panel.note(1.1, 3.1, "backward Euler: no limit");
   return figure;
 }
 

@@ -192,11 +192,54 @@ TEST(SlideCurves, TakeTheColourTheyAreGiven) {
   EXPECT_TRUE(contains(script, "set style line 5 "));
 }
 
+TEST(SlideNotes, HaveTheColourOfTheCurveThatTheyName) {
+  Figure figure("names", "Names at curves", "x");
+  figure.slide();
+  auto panel = figure.panel("y");
+  panel.line("a", times, times).nameAt(1, 2, "first");
+  panel.reference("exact", times, times).nameAt(1, 3, "dashed", true);
+  panel.linePoints("", times, times).colour(4).nameAt(1, 4, "fifth").note(1, 5, "none");
+  const std::string script = figureText(figure).script;
+  const std::string place = " left offset character 0.7,0 front noenhanced font ',16' textcolor ";
+  EXPECT_TRUE(contains(script, "set label 'first' at 1,2" + place + "ls 1\n")) << script;
+  EXPECT_TRUE(contains(script, "set label 'fifth' at 1,4" + place + "ls 5\n"));
+  EXPECT_TRUE(contains(script, "set label 'none' at 1,5" + place + "rgb '#111111'\n"));
+  EXPECT_TRUE(
+      contains(script, "set label 'dashed' at 1,3 center front noenhanced font ',16' textcolor rgb '#6a6a6a'\n"));
+  // The reference of another figure comes behind the curves and leaves their names alone.
+  const std::string over = figureText(figure.over(figure)).script;
+  EXPECT_TRUE(contains(over, "set label 'fifth' at 1,4" + place + "ls 5\n"));
+}
+
+TEST(SlideSlopes, AreTrianglesUnderAPowerLaw) {
+  Figure figure("slopes", "Slopes", "h");
+  figure.slide().panel("error").line("", {0.1, 1}, {1e-3, 1}).logX().logY().slope(0.125, 0.25, 2, 3, "p = 3");
+  const Panel& panel = figure.panels()[0];
+  const Series& triangle = panel.series[1];
+  EXPECT_EQ(triangle.x, (Numbers{0.125, 0.25, 0.25, 0.125}));
+  EXPECT_EQ(triangle.y, (Numbers{0.25, 0.25, 2, 0.25}));  // up by 2^3
+  EXPECT_EQ(triangle.pen, Pen::Structure);
+  ASSERT_EQ(panel.notes.size(), 1U);
+  EXPECT_EQ(panel.notes[0].text, "p = 3");
+  EXPECT_DOUBLE_EQ(panel.notes[0].x, 0.25);
+  EXPECT_DOUBLE_EQ(panel.notes[0].y, std::sqrt(0.25 * 2));  // halfway up, as the axis shows it
+}
+
+TEST(SlidePaths, LeaveThePictureAtNoPlaceOfTheirAxis) {
+  Figure figure("spiral", "A spiral", "x [m]");
+  figure.slide().panel("v [m/s]").equalAxes().line("out", {0, 1, 9}, {1, 0, 0}).expectX(-1, 1);
+  EXPECT_TRUE(contains(figureText(figure).script, "'out (leaves the picture)'"));  // x is not a time
+}
+
 TEST(SlideErrors, AreFoundWhereTheyAreMade) {
   Figure figure("errors", "Mistakes", "x");
   EXPECT_THROW(figure.slide(0), std::invalid_argument);
   auto panel = figure.panel("y");
   EXPECT_THROW(panel.colour(1), std::invalid_argument);
+  EXPECT_THROW(panel.nameAt(0, 0, "a"), std::invalid_argument);
+  EXPECT_THROW(panel.slope(0, 1, 2, 1, "p = 1"), std::invalid_argument);
+  EXPECT_THROW(panel.slope(1, 1, 1, 1, "p = 1"), std::invalid_argument);
+  EXPECT_THROW(panel.slope(1, 1, 2, NAN, "p"), std::invalid_argument);
   EXPECT_THROW(panel.arrows("a", {1, 2}, {1, 2}, {1}, {1, 2}), std::invalid_argument);
   EXPECT_THROW(panel.xRange(1, 1), std::invalid_argument);
   EXPECT_THROW(panel.yRange(2, 1), std::invalid_argument);
