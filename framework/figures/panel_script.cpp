@@ -122,9 +122,8 @@ class PanelScript {
 
   void writeColours(const Field& field) {
     // Viridis: seen by the colour-blind, and still ordered in grey.
-    script_.put(
-        "set palette maxcolors {} defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')",
-        field.bands);
+    script_.put("set palette maxcolors {} defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')",
+                field.bands);
     if (const std::optional<Box>& scale = place_.colourScale) {
       script_.put("set colorbox user origin screen {},{} size screen {},{}", script_.x(scale->left),
                   script_.y(scale->bottom), script_.x(scale->width()), script_.heightOf(scale->height()));

@@ -48,9 +48,9 @@ struct Field {
   std::vector<double> x, y;    ///< grid lines, ascending and equally spaced
   std::vector<double> values;  ///< y.size() rows of x.size()
   std::string label;           ///< of the colour scale, with its unit
-  FixedRange range = {};       ///< of the colours; empty: from the least to the greatest value. The scale says "≥", "≤"
-                               ///< at an end that values go beyond.
-  int bands = 24;              ///< how many colours, at least two
+  FixedRange range = {};  ///< of the colours; empty: from the least to the greatest value. The scale says "≥", "≤"
+                          ///< at an end that values go beyond.
+  int bands = 24;         ///< how many colours, at least two
 };
 
 /// One plot of a figure. Panels are stacked and share the x axis, unless the figure is a slide.

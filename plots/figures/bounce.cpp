@@ -55,7 +55,8 @@ Figure bounce() {
   const auto system = engine::build(ball());
   const double omega = std::sqrt(system->model().obstacles[0].material.k / system->model().nodes[0].m);
   const double contact = std::numbers::pi / omega, limit = 2.0 / omega;
-  Figure figure("bounce", fmt::format("A step beyond the contact's limit, 2/ω = {:.1f} ms, throws the ball", 1e3 * limit),
+  Figure figure("bounce",
+                fmt::format("A step beyond the contact's limit, 2/ω = {:.1f} ms, throws the ball", 1e3 * limit),
                 "time [s]");
   figure.slide();
   auto panel = figure.panel("height [m]");
@@ -68,7 +69,9 @@ Figure bounce() {
     panel.note(x, y, fmt::format("{}: leaves the picture at {:.0f} m/s", name, thrown.fastest));
     y -= 0.17;
   }
-  panel.note(0.62, 0.3, fmt::format("the ball is in contact for π/ω = {:.0f} ms", 1e3 * contact));
+  panel.note(0.74, 0.14, fmt::format("contact: π/ω = {:.0f} ms", 1e3 * contact));
+  const double highest = *std::max_element(within.height.begin() + 1, within.height.end());
+  panel.note(0.8, 1.15, fmt::format("1/240 s: within the limit, but {:.0f} % too high", 100.0 * (highest - 1.0)));
   panel.structure("", {0.0, duration}, {0.0, 0.0}).xRange(0.0, duration).yRange(-0.2, 2.0);
   return figure;
 }

@@ -39,8 +39,8 @@ class Node {
 
 void addPlane(Figure& figure, Node& node) {
   Field field;
-  field.x = linear(-1.3, 1.3, 131);
-  field.y = linear(-0.9, 0.9, 91);
+  field.x = linear(-1.3, 1.3, 261);
+  field.y = linear(-1.1, 1.1, 221);
   for (const double z : field.y) {
     for (const double x : field.x) field.values.push_back(node.energy(x, z));
   }
@@ -48,18 +48,18 @@ void addPlane(Figure& figure, Node& node) {
   field.range = {0.0, 50.0};
   field.bands = 10;
   auto plane = figure.panel("z [m]");
-  plane.heading("E of a node on two springs, a line every 10 J").field(field).equalAxes();
+  plane.heading("lines every 10 J; arrows: 0.25 m is 100 N").field(field).equalAxes();
   for (const double level : {10.0, 20.0, 30.0, 40.0}) {
     const Segments line = contour(field, level);
     plane.structure("", line.x, line.y);
   }
   Arrows arrows;
-  for (const double z : linear(-0.6, 0.6, 5)) {
+  for (const double z : linear(-0.8, 0.8, 5)) {
     for (const double x : linear(-1.2, 1.2, 7)) arrows.add(Vec3(x, 0.0, z), metresPerNewton * node.force(x, z));
   }
-  arrows.addTo(plane, "force, 0.25 m is 100 N", 4);
-  plane.nodes("", {-0.75, 0.75}, {0.0, 0.0}).note(-0.75, -0.08, "rest", true).note(0.75, -0.08, "rest", true);
-  plane.xRange(-1.3, 1.3).yRange(-0.9, 0.9);
+  arrows.addTo(plane, "force", 1);
+  plane.points("rest", {-0.75, 0.75}, {0.0, 0.0}).colour(5).nodes("", {0.0, 0.0}, {-1.0, 1.0});
+  plane.xRange(-1.3, 1.3).yRange(-1.1, 1.1);
 }
 
 /// The force that the engine calculates, and differences of its energy.
@@ -93,8 +93,8 @@ void addSlopes(Figure& figure, Node& node) {
 /// of its energy.
 Figure gradient_field() {
   Node node;
-  Figure figure("gradient_field", "The force is minus the gradient: downhill, straight across the lines of equal energy",
-                "x [m]");
+  Figure figure("gradient_field",
+                "The force is minus the gradient: downhill, straight across the lines of equal energy", "x [m]");
   figure.slide(2);
   addPlane(figure, node);
   addSlopes(figure, node);

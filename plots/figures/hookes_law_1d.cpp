@@ -31,7 +31,8 @@ Figure hookes_law_1d() {
   const double L0 = 1.0;
   std::vector<double> x;
   for (int i = 1; i <= 200; ++i) x.push_back(0.01 * i);
-  Figure figure("hookes_law_1d", "Hooke's law in 1D: a straight line through the rest length, of slope −k", "position xₐ [m]");
+  Figure figure("hookes_law_1d", "Hooke's law in 1D: a straight line through the rest length, of slope −k",
+                "position xₐ [m]");
   figure.slide();
   figure.panel("force Fₐ [N]")
       .line("k = 50 N/m", x, forces(50, L0, x))

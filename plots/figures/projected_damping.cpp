@@ -63,13 +63,14 @@ Figure projected_damping() {
       .yRange(0.95, 1.25);
   figure.panel("")
       .heading("divided by the value at the start")
-      .line("angular momentum", t,
-            dividedByFirst(along(trajectory, [&](const State& s) { return system->angularMomentum(s).z(); })))
+      .line("", t, dividedByFirst(along(trajectory, [&](const State& s) { return system->angularMomentum(s).z(); })))
       .colour(2)
-      .line("energy of the vibration", t,
+      .line("", t,
             dividedByFirst(along(trajectory, [&](const State& s) { return system->totalEnergy(s) - turningEnergy; })))
       .colour(0)
       .reference("exp(−d t / μ)", t, expected)
+      .note(1.1, 1.05, "angular momentum")
+      .note(0.42, 0.27, "energy of the vibration")
       .yRange(0.0, 1.2);
   return figure;
 }

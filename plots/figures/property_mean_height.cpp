@@ -69,21 +69,21 @@ void addPupils(Figure& figure, double drag) {
   const double duration = 8.0;
   const Heights found = heightsOver(duration, drag);
   auto panel = figure.panel("height [m]");
-  panel.heading("with drag: the mean rests at h₀, each pupil elsewhere");
+  panel.heading("with drag it rests there, each pupil elsewhere");
   for (std::size_t i = 0; i < 5; ++i) {
     panel.line(i == 0 ? "each pupil" : "", found.t, found.each[i]).colour(5);
-    panel.note(duration, found.each[i].back(), fmt::format("{} kg", masses[i]));
+    panel.note(6.6, found.each[i].back() + 0.045, fmt::format("{} kg", masses[i]));
   }
   panel.line("mean", found.t, found.mean).colour(1).structure("", {0.0, duration}, {wanted, wanted});
-  panel.xRange(0.0, 9.9).yRange(1.2, 2.8);
+  panel.xRange(0.0, duration).yRange(1.2, 2.8);
 }
 
 }  // namespace
 
 /// Slide "Fuerzas y Energías": an energy that is least where a property holds gives a force towards it.
 Figure property_mean_height() {
-  Figure figure("property_mean_height", "An energy of the mean height moves the mean to 2 m, and prescribes no single one",
-                "time [s]");
+  Figure figure("property_mean_height",
+                "An energy of the mean height moves the mean to 2 m, and prescribes no single one", "time [s]");
   figure.slide(2);
   addMean(figure);
   addPupils(figure, 100.0);

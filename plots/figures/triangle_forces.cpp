@@ -57,9 +57,9 @@ Figure triangle_forces() {
   plane.nodes("", nodesX, nodesZ).equalAxes().xRange(-0.3, 1.9).yRange(-0.3, 1.5);
   plane.note(-0.2, -0.1, "node 0").note(1.55, -0.05, "node 1").note(0.45, 1.32, "node 2");
 
-  auto sum = figure.panel("along z [N]");
-  sum.heading("the sums, tip to tail: they close").xLabel("along x [N]");
-  chain.addTo(sum, "sum on a node", 1);
+  auto sum = figure.panel("force along z [N]");
+  sum.heading("the sums, tip to tail: they close").xLabel("force along x [N]");
+  chain.addTo(sum, "", 1);
   for (std::size_t i = 0; i < 3; ++i) {
     sum.note(chain.x[i] + 0.5 * chain.dx[i] + (i == 2 ? 10.0 : 6.0),
              chain.y[i] + 0.5 * chain.dy[i] + (i == 0 ? -5.0 : 5.0), fmt::format("on node {}", i), true);
