@@ -54,9 +54,12 @@ Points sweep(const engine::ModelSystem& system, const std::string& id, const Vec
   const int most = adaptive ? 14 : 11;
   double h = 0.2, tolerance = 1e-1;
   for (int i = 0; i < most && (i == 0 || points.error.back() > smallest); ++i, h *= 0.5, tolerance *= 0.1) {
+    const auto once = [&] {
+      return adaptive ? adaptiveRun(system, id, tolerance) : run(system, id, h, duration, duration);
+    };
+    if (i == 0) once();  // the first run has to fill the caches
     const double before = processorSeconds();
-    const engine::RunResult result =
-        adaptive ? adaptiveRun(system, id, tolerance) : run(system, id, h, duration, duration);
+    const engine::RunResult result = once();
     add(points, result, processorSeconds() - before, exact, system);
   }
   if (points.error.back() < smallest) {  // the reference is not good enough for it
