@@ -2,7 +2,9 @@
 
 #include "engine/integrators/catalogue.h"
 
+#include <fmt/format.h>
 #include <cmath>
+#include <cstdlib>
 
 namespace muelle::plots {
 
@@ -16,6 +18,16 @@ std::vector<double> logarithmic(double low, double high, int n) {
   std::vector<double> values = linear(std::log(low), std::log(high), n);
   for (double& value : values) value = std::exp(value);
   return values;
+}
+
+std::string asPower(double value) {
+  constexpr const char* raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  const std::string plain = fmt::format("{:.0e}", value);  // "3e-09"
+  const std::size_t at = plain.find('e');
+  if (at == std::string::npos) return plain;  // no number
+  std::string text = plain.substr(0, at) + "·10" + (plain[at + 1] == '-' ? "⁻" : "");
+  for (const char digit : std::to_string(std::abs(std::stoi(plain.substr(at + 1))))) text += raised[digit - '0'];
+  return text;
 }
 
 engine::Model oscillator(double m, double k, double x0, double d) {

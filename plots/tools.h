@@ -14,6 +14,9 @@ std::vector<double> linear(double low, double high, int n);
 /// n numbers from `low` to `high`, both included, at equal ratios; n >= 2, low > 0.
 std::vector<double> logarithmic(double low, double high, int n);
 
+/// One digit and the power of ten, as it is written by hand: 3·10⁻⁹.
+std::string asPower(double value);
+
 /// A node of mass m [kg] in 1D at x0 [m], on a spring k [N/m] of rest length 0 to the origin, with node drag d [kg/s].
 engine::Model oscillator(double m, double k, double x0, double d = 0.0);
 

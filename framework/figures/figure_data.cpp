@@ -29,7 +29,7 @@ std::vector<const Series*> inKeyOrder(const Panel& panel) {
 }
 
 bool isDrawnAsPoints(Pen pen, const std::string& lines) {
-  if (pen == Pen::Points || pen == Pen::Cells) return true;
+  if (pen == Pen::Points || pen == Pen::Cells || pen == Pen::Nodes) return true;
   // A line through one point would not be seen.
   const bool isOnePoint = std::count(lines.begin(), lines.end(), '\n') == 1;
   return isOnePoint && (pen == Pen::Line || pen == Pen::Reference);
@@ -83,6 +83,7 @@ class DataWriter {
   int styleOf(const Series& series, int& next) {
     if (series.pen == Pen::Reference) return referenceStyle;
     if (series.pen == Pen::Structure) return structureStyle;
+    if (series.pen == Pen::Nodes) return nodeStyle;
     const int position = series.colour >= 0 ? series.colour : next++;
     data_.styleCount = std::max(data_.styleCount, std::min(position + 1, mostLineStyles));
     return 1 + position % mostLineStyles + (series.pen == Pen::Mesh ? meshStyle : 0);

@@ -22,6 +22,25 @@ const char* numbersOf(bool logarithmic, const AxisRange& range) {
   return needsShortNumbers(range) ? shortNumbers : plainNumbers;
 }
 
+/// How a number stands on a scale of colours.
+std::string onScale(double value) { return fmt::format("{:.10g}", value == 0.0 ? 0.0 : value); }
+
+/// The ends of the scale that values go beyond, as marks that say so.
+std::string cutMarks(const Field& field) {
+  if (!field.range) return "";
+  const auto [low, high] = *field.range;
+  const auto isBelow = [low = low](double value) { return value < low; };
+  const auto isAbove = [high = high](double value) { return value > high; };
+  std::string marks;
+  if (std::any_of(field.values.begin(), field.values.end(), isBelow)) {
+    marks = fmt::format("'≤{0}' {0}", onScale(low));
+  }
+  if (std::any_of(field.values.begin(), field.values.end(), isAbove)) {
+    marks += fmt::format("{0}'≥{1}' {1}", marks.empty() ? "" : ", ", onScale(high));
+  }
+  return marks;
+}
+
 bool isUnderneath(Pen pen) { return pen == Pen::Reference || pen == Pen::Structure; }
 
 std::string mannerOf(const Curve& curve) {
@@ -111,13 +130,17 @@ class PanelScript {
 
   void writeColours(const Field& field) {
     // Viridis: seen by the colour-blind, and still ordered in grey.
-    script_.put("set palette maxcolors 24 defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')");
+    script_.put("set palette maxcolors {} defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')",
+                field.bands);
     if (const std::optional<Box>& scale = place_.colourScale) {
       script_.put("set colorbox user origin screen {},{} size screen {},{}", script_.x(scale->left),
                   script_.y(scale->bottom), script_.x(scale->width()), script_.heightOf(scale->height()));
     }
     const FixedRange& ends = field.range;
     script_.put("set cbrange [{}]", ends ? fmt::format("{:.10g}:{:.10g}", ends->first, ends->second) : "*:*");
+    script_.put("set cbtics autofreq");
+    const std::string cuts = cutMarks(field);
+    if (!cuts.empty()) script_.put("set cbtics add ({})", cuts);
     script_.putLabel(field.label, place_.colourLabel);
   }
 
@@ -151,7 +174,7 @@ class PanelScript {
     for (const bool underneath : {true, false}) {
       for (const Curve& curve : drawn_.curves) {
         const bool belongs = isUnderneath(curve.series->pen) == underneath;
-        if (curve.block >= 0 && belongs) curves.push_back(fromBlock(curve.block, mannerOf(curve)));
+        if (curve.block >= 0 && belongs) curves.push_back(fromBlock(curve.block, mannerOf(curve) + onField(curve)));
       }
     }
     if (curves.empty()) {
@@ -159,6 +182,11 @@ class PanelScript {
       curves.emplace_back("NaN");
     }
     script_.put("plot {}", fmt::join(curves, ", \\\n     "));
+  }
+
+  /// A field is dark almost everywhere: lines on it are light.
+  std::string onField(const Curve& curve) const {
+    return panel_.field && curve.series->pen == Pen::Structure ? " lc rgb '#ffffff' lw 1" : "";
   }
 
   std::string fromBlock(int block, const std::string& manner) const {

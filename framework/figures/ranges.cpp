@@ -14,7 +14,8 @@ constexpr double marginOfHeights = 0.06;
 
 bool anyPoints(const Panel& panel) {
   return std::any_of(panel.series.begin(), panel.series.end(), [](const Series& s) {
-    return s.pen == Pen::Points || s.pen == Pen::LinePoints || s.pen == Pen::Arrows || s.pen == Pen::Cells;
+    return s.pen == Pen::Points || s.pen == Pen::LinePoints || s.pen == Pen::Arrows || s.pen == Pen::Cells ||
+           s.pen == Pen::Nodes;
   });
 }
 

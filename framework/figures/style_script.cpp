@@ -41,6 +41,7 @@ void putLineStyles(int count, ScriptText& script) {
   }
   script.put("set style line {} lc rgb '#9a9a9a' lw 5 dt (5,2.5) pt 6 ps 1.2", referenceStyle);
   script.put("set style line {} lc rgb '#9a9a9a' lw 2 dt 1 pt 6 ps 1.2", structureStyle);
+  script.put("set style line {} lc rgb '#222222' lw 1 dt 1 pt 7 ps 1.1", nodeStyle);
 }
 
 void putFrame(const Figure& figure, ScriptText& script) {

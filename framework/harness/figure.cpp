@@ -118,6 +118,10 @@ Figure::PanelBuilder& Figure::PanelBuilder::structure(std::string name, std::vec
   return add({std::move(name), std::move(x), std::move(y), Pen::Structure});
 }
 
+Figure::PanelBuilder& Figure::PanelBuilder::nodes(std::string name, std::vector<double> x, std::vector<double> y) {
+  return add({std::move(name), std::move(x), std::move(y), Pen::Nodes});
+}
+
 Figure::PanelBuilder& Figure::PanelBuilder::colour(int position) {
   if (panel().series.empty()) throw std::invalid_argument("Figure: colour() before any curve");
   panel().series.back().colour = position;
@@ -224,6 +228,7 @@ Figure::PanelBuilder& Figure::PanelBuilder::field(Field field) {
     throw std::invalid_argument("Figure: the lines of a field's grid ascend by equal distances, at least two each way");
   }
   if (field.range) requireRange(field.range->first, field.range->second);
+  if (field.bands < 2) throw std::invalid_argument("Figure: a field has at least two bands of colour");
   if (field.values.size() != field.x.size() * field.y.size()) {
     throw std::invalid_argument(
         fmt::format("Figure: {} values for a grid of {} by {}", field.values.size(), field.x.size(), field.y.size()));

@@ -15,7 +15,8 @@ enum class Pen {
   Arrows,      ///< from (x, y) by (dx, dy), next colour of the palette
   Cells,       ///< filled unit squares about the points: categories in a table
   Mesh,        ///< a hair line, next colour of the palette: many edges
-  Structure,   ///< solid thin grey, drawn underneath: what carries the arrows and marks of a drawing
+  Structure,   ///< solid thin grey (white on a field), drawn underneath: what carries the marks of a drawing
+  Nodes,       ///< dark discs: masses, wherever they are
 };
 
 /// One curve: numbers and the name in the key.
@@ -48,7 +49,9 @@ struct Field {
   std::vector<double> x, y;    ///< grid lines, ascending and equally spaced
   std::vector<double> values;  ///< y.size() rows of x.size()
   std::string label;           ///< of the colour scale, with its unit
-  FixedRange range = {};       ///< of the colours; empty: from the least to the greatest value
+  FixedRange range = {};  ///< of the colours; empty: from the least to the greatest value. The scale says "≥", "≤"
+                          ///< at an end that values go beyond.
+  int bands = 24;         ///< how many colours, at least two
 };
 
 /// One plot of a figure. Panels are stacked and share the x axis, unless the figure is a slide.
@@ -108,6 +111,7 @@ class Figure {
     /// Many edges, thin, with a gap after each; the structure that other marks stand on, in grey.
     PanelBuilder& mesh(std::string name, std::vector<double> x, std::vector<double> y);
     PanelBuilder& structure(std::string name, std::vector<double> x, std::vector<double> y);
+    PanelBuilder& nodes(std::string name, std::vector<double> x, std::vector<double> y);
     /// A category of a table: a square about each point, one wide and one high.
     PanelBuilder& cells(std::string name, std::vector<double> x, std::vector<double> y);
     /// The palette's colour for the curve added last, so that one thing has one colour in several panels.
@@ -127,7 +131,8 @@ class Figure {
     /// across^power, and back; `text` stands beside its upright side. Throws std::invalid_argument unless x and y are
     /// positive, across > 1 and power > 0.
     PanelBuilder& slope(double x, double y, double across, double power, std::string text);
-    /// Throws std::invalid_argument when the values do not fill the grid, or its lines are not equally spaced.
+    /// Throws std::invalid_argument when the values do not fill the grid, its lines are not equally spaced, or there
+    /// are fewer than two bands.
     PanelBuilder& field(Field field);
     /// Names instead of 0, 1, 2 ... along an axis.
     PanelBuilder& xNames(std::vector<std::string> names);

@@ -35,6 +35,7 @@ void addPanel(Figure& figure, int dimension, const std::vector<double>& stiffnes
   auto landscape = figure.panel("energy [J]");
   landscape.heading(dimension == 2 ? "triangle with a signed area, k in N/m³"
                                    : "tetrahedron, signed volume, k in N/m⁵");
+  const double most = 8.0;
   const std::vector<double> heights = linear(-1.5, 1.5, 301);
   for (const double k : stiffnesses) {
     const auto system = engine::build(turnedOver(dimension, k));
@@ -44,9 +45,14 @@ void addPanel(Figure& figure, int dimension, const std::vector<double>& stiffnes
       moveTo(*system, state, dimension, Vec3(0.0, 0.0, z));
       energy.push_back(system->totalEnergy(state));
     }
+    const std::size_t last = heights.size() / 6;  // at -1 m, where the springs are as long as at rest
+    if (energy[last] > most) {
+      landscape.note(-1.2, 6.6, fmt::format("k = {}:", k))
+          .note(-1.2, 5.95, fmt::format("{:.0f} J at −1 m", energy[last]));
+    }
     landscape.line(k > 0.0 ? fmt::format("k = {}", k) : "springs alone", heights, energy);
   }
-  landscape.yRange(0, 8).note(-1.4, 7.4, "inside out").note(0.75, 7.4, "upright");
+  landscape.yRange(0, most).note(-1.2, 7.4, "inside out").note(0.75, 7.4, "upright");
 }
 
 }  // namespace

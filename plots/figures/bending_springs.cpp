@@ -72,7 +72,7 @@ Figure bending_springs() {
       .reference("beam theory", stiffness, theory)
       .logX()
       .logY()
-      .yRange(0.001, 10);
+      .yRange(0.001, 30);
   return figure;
 }
 

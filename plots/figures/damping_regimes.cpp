@@ -15,7 +15,7 @@ Figure damping_regimes() {
     const engine::RunResult result = run(*system, "runge_kutta_4", 1e-3, 1.5, 5e-3);
     panel.line(name, result.trajectory.t, result.trajectory.position(0));
   }
-  panel.reference("", {0.0, 1.5}, {0.0, 0.0});
+  panel.structure("", {0.0, 1.5}, {0.0, 0.0});
   panel.note(1.0, -0.6, "m = 1 kg, k = 100 N/m");
   return figure;
 }

@@ -1,3 +1,4 @@
+#include "contour.h"
 #include "drawing.h"
 #include "tools.h"
 
@@ -9,7 +10,7 @@ namespace muelle::plots {
 /// Slide "Energía Elástica": on which variables the energy depends. One end held, the other anywhere in a plane: a
 /// valley around a hill, all of its floor at the rest length.
 Figure energy_landscape() {
-  const double L0 = 1.0;
+  const double L0 = 1.0, highest = 50.0;
   engine::Model model;
   model.dimension = 2;
   model.nodes.resize(2);
@@ -24,11 +25,13 @@ Figure energy_landscape() {
   };
 
   Field field;
-  field.x = field.y = linear(-1.8, 1.8, 121);
+  field.x = field.y = linear(-1.8, 1.8, 181);
   for (const double z : field.y) {
     for (const double x : field.x) field.values.push_back(energyAt(x, z));
   }
   field.label = "E [J]";
+  field.range = {0.0, highest};
+  field.bands = 10;  // 5 J each: every second edge is a line
   std::vector<double> ringX, ringZ;
   for (const double angle : linear(0.0, 2.0 * std::numbers::pi, 200)) {
     ringX.push_back(L0 * std::cos(angle));
@@ -41,23 +44,22 @@ Figure energy_landscape() {
     beside.push_back(energyAt(position, 0.7));
   }
 
-  Figure figure("energy_landscape", "A spring's energy is a function of positions: a round valley at the rest length",
-                "x_a [m]");
+  Figure figure("energy_landscape", "The energy depends on positions, through the length alone: a round valley",
+                "xₐ [m]");
   figure.slide(2);
-  figure.panel("z_a [m]")
-      .heading("E (x_a, z_a), the other end in the origin")
-      .field(field)
-      .line("", ringX, ringZ)
-      .colour(1)
-      .equalAxes()
-      .note(0.0, 1.35, "E = 0 where L = L0", true);
+  auto plane = figure.panel("zₐ [m]");
+  plane.heading("node b in the origin, a line every 10 J").field(field).equalAxes();
+  for (const double level : {10.0, 20.0, 30.0, 40.0}) {
+    const Segments line = contour(field, level);
+    plane.structure("", line.x, line.y);
+  }
+  plane.line("L = L₀", ringX, ringZ).colour(1).nodes("", {0.0}, {0.0});
   figure.panel("E [J]")
-      .heading("two cuts")
-      .line("z_a = 0", x, through)
-      .line("z_a = 0.7 m", x, beside)
-      .reference("rest length", {-1, -1}, {0, 60})
-      .reference("", {1, 1}, {0, 60})
-      .note(0.0, 54, "sharp: no direction", true)
+      .heading("along two lines")
+      .line("zₐ = 0", x, through)
+      .line("zₐ = 0.7 m", x, beside)
+      .note(0.0, 54, "a peak at L = 0: no direction there", true)
+      .note(0.0, 8.0, "L = 0.7 m", true)
       .yRange(0, 60);
   return figure;
 }

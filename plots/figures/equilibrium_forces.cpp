@@ -9,7 +9,9 @@ namespace muelle::plots {
 
 namespace {
 
-/// A house of soft springs just above the ground, 1 kg a node and 2 kg the top one.
+const double metresPerNewton = 1.0 / 100.0;
+
+/// A house of soft springs just above the ground, 1 kg a node and 2 kg the top one, braced by tight diagonals.
 engine::Model house() {
   engine::Model model;
   model.dimension = 2;
@@ -24,6 +26,7 @@ engine::Model house() {
         (model.nodes[static_cast<std::size_t>(a)].x - model.nodes[static_cast<std::size_t>(b)].x).norm();
     model.springs.push_back({.a = a, .b = b, .k = 250.0, .L0 = length});
   }
+  for (const int diagonal : {4, 5}) model.springs[static_cast<std::size_t>(diagonal)].L0 *= 0.9;
   engine::Obstacle ground;
   ground.material.k = 1000.0;
   model.obstacles.push_back(ground);
@@ -73,21 +76,25 @@ Figure equilibrium_forces() {
 
   Figure figure("equilibrium_forces", "Deformed, but it does not move: the forces sum to 0 at every node", "x [m]");
   figure.slide(2);
-  auto whole = figure.panel("height [m]");
-  whole.heading("forces on each node").equalAxes();
+  auto whole = figure.panel("z [m]");
+  whole.heading("forces on each node: 1 m is 100 N").equalAxes().xRange(-1.0, 1.0).yRange(-0.4, 1.4);
   for (const auto& spring : model.springs) {
     const auto a = static_cast<std::size_t>(spring.a), b = static_cast<std::size_t>(spring.b);
     whole.structure("", {x[2 * a], x[2 * b]}, {x[2 * a + 1], x[2 * b + 1]});
   }
-  auto polygon = figure.panel("vertical [N]");
-  polygon.heading("left foot: the arrows close").xLabel("horizontal [N]").equalAxes().xRange(-15.0, 20.0);
+  auto polygon = figure.panel("upward force [N]");
+  polygon.heading("left foot: the arrows close")
+      .xLabel("force to the right [N]")
+      .equalAxes()
+      .xRange(-37.0, 9.0)
+      .yRange(-42.0, 4.0);
 
   double penX = 0.0, penY = 0.0;
   const auto draw = [&](const std::string& name, const std::vector<engine::Model>& parts, int colour) {
     Arrows onNodes, chain;
     for (const engine::Model& part : parts) {
       const std::vector<double> f = forces(part, rest.state);
-      for (std::size_t i = 0; i < x.size(); i += 2) addForce(onNodes, x[i], x[i + 1], f[i], f[i + 1], 0.012);
+      for (std::size_t i = 0; i < x.size(); i += 2) addForce(onNodes, x[i], x[i + 1], f[i], f[i + 1], metresPerNewton);
       addForce(chain, penX, penY, f[0], f[1], 1.0);
       penX += f[0];
       penY += f[1];
@@ -95,12 +102,21 @@ Figure equilibrium_forces() {
     onNodes.addTo(whole, name, colour);
     chain.addTo(polygon, "", colour);
   };
-  std::vector<engine::Model> springs;
-  for (std::size_t j = 0; j < model.springs.size(); ++j) springs.push_back(onlySpring(model, j));
+  std::vector<engine::Model> others;
+  for (std::size_t j = 1; j < model.springs.size(); ++j) others.push_back(onlySpring(model, j));
+  // In an order in which no arrow of the polygon lies on another.
+  draw("springs", {onlySpring(model, 0)}, 0);
   draw("gravity", {onlyGravity(model)}, 2);
-  draw("springs", springs, 0);
+  draw("", others, 0);
   draw("contact", {onlyGround(model)}, 1);
-  polygon.note(4.0, -13.0, "largest sum at").note(4.0, -15.0, fmt::format("any node: {:.0e} N", rest.residual));
+  std::vector<double> nodesX, nodesZ;
+  for (std::size_t i = 0; i < x.size(); i += 2) {
+    nodesX.push_back(x[i]);
+    nodesZ.push_back(x[i + 1]);
+  }
+  whole.nodes("", nodesX, nodesZ);
+  polygon.note(-36.5, -18.0, "largest sum at")
+      .note(-36.5, -20.5, fmt::format("any node: {} N", asPower(rest.residual)));
   return figure;
 }
 

@@ -35,14 +35,14 @@ Figure friction_threshold() {
   std::vector<double> angles = linear(15, 35, 41), distances;
   for (const double angle : angles) distances.push_back(slide(angle, seconds, seconds).last().x[0]);
 
-  Figure figure("friction_threshold", "Friction holds a node for ever up to tan(angle) = mu, and not beyond",
-                "angle of the slope [degrees]");
+  Figure figure("friction_threshold", "Friction holds a node for ever up to tan α = μ, and not beyond",
+                "angle α of the slope [degrees]");
   figure.slide(2);
   const double threshold = std::atan(mu) * 180.0 / std::numbers::pi;
   figure.panel(fmt::format("distance slid in {:.0f} s [m]", seconds))
-      .heading("mu = 0.5")
+      .heading("μ = 0.5")
       .line("", angles, distances)
-      .reference("atan mu", {threshold, threshold}, {0.0, distances.back()})
+      .reference("arctan μ", {threshold, threshold}, {0.0, distances.back()})
       .yRange(-0.1, 3.5);
   auto panel = figure.panel("distance slid [m]");
   panel.heading("a tenth of a degree apart").xLabel("time [s]");

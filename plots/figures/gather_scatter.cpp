@@ -54,7 +54,7 @@ Figure gather_scatter() {
   }
   std::vector<std::string> nodeNames, springNames;
   for (std::size_t i = 0; i < small.nodes.size(); ++i) nodeNames.push_back(fmt::format("node {}", i));
-  for (const auto& s : small.springs) springNames.push_back(fmt::format("{}-{}", s.a, s.b));
+  for (const auto& s : small.springs) springNames.push_back(fmt::format("{}–{}", s.a, s.b));
 
   std::vector<double> nodes, gathered, scattered;
   for (const int n : {2, 5, 8, 11, 14, 17, 20}) {
@@ -82,7 +82,7 @@ Figure gather_scatter() {
       .cells(fmt::format("calculated ({})", scatter.calculatedNode.size()), scatter.calculatedSpring,
              scatter.calculatedNode)
       .colour(1)
-      .cells("handed -F", scatter.handedSpring, scatter.handedNode)
+      .cells("handed −F", scatter.handedSpring, scatter.handedNode)
       .colour(5)
       .xNames(springNames)
       .yNames(nodeNames);

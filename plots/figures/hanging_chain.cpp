@@ -103,7 +103,7 @@ Figure hanging_chain() {
     distances.line(fmt::format("{} springs", n), k, distance);
   }
   distances.logX().logY().xRange(10, 1e5).yRange(1e-6, 1).note(
-      12, 3e-6, fmt::format("largest sum of forces: {:.0e} N", residual));
+      12, 3e-6, fmt::format("largest sum of forces: {} N", asPower(residual)));
   return figure;
 }
 

@@ -31,16 +31,17 @@ Figure hookes_law_1d() {
   const double L0 = 1.0;
   std::vector<double> x;
   for (int i = 1; i <= 200; ++i) x.push_back(0.01 * i);
-  Figure figure("hookes_law_1d", "Hooke's law in 1D: the force grows with the stretch, against it", "position x_a [m]");
+  Figure figure("hookes_law_1d", "Hooke's law in 1D: a straight line through the rest length, of slope −k",
+                "position xₐ [m]");
   figure.slide();
-  figure.panel("force F_a [N]")
+  figure.panel("force Fₐ [N]")
       .line("k = 50 N/m", x, forces(50, L0, x))
       .line("k = 100 N/m", x, forces(100, L0, x))
       .line("k = 200 N/m", x, forces(200, L0, x))
-      .reference("", {0.0, 2.0}, {0.0, 0.0})
-      .note(1.04, 40, "no force at the rest length L0 = 1 m")
-      .note(0.3, 175, "compressed: pushed out")
-      .note(1.2, -170, "stretched: pulled back");
+      .structure("", {0.0, 2.0}, {0.0, 0.0})
+      .note(1.04, 40, "no force at the rest length L₀ = 1 m")
+      .note(0.34, 160, "compressed: pushed out")
+      .note(1.2, -160, "stretched: pulled back");
   return figure;
 }
 

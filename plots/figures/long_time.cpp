@@ -45,7 +45,7 @@ void addDrift(Figure::PanelBuilder& panel, const engine::ModelSystem& system, co
 /// What remains of the energy of an oscillator after a hundred thousand periods at h omega = 0.5.
 Figure long_time() {
   const auto system = engine::build(oscillator(1.0, 1.0, 1.0));
-  Figure figure("long_time", "After 100000 periods symplectic methods still have the energy, Runge-Kutta has lost it",
+  Figure figure("long_time", "After 10⁵ periods symplectic methods still have the energy, Runge-Kutta has lost it",
                 "periods");
   figure.slide();
   auto panel = figure.panel("largest relative energy error so far");

@@ -57,8 +57,7 @@ Figure mesh_to_springs() {
       .heading("mesh: vertices and edges")
       .line("edge", edges.x, edges.y)
       .colour(5)
-      .points("vertex", x, z)
-      .colour(1)
+      .nodes("vertex", x, z)
       .equalAxes();
   figure.panel("z [m]")
       .heading("model: nodes and springs")
@@ -68,8 +67,7 @@ Figure mesh_to_springs() {
       .colour(4)
       .line(fmt::format("{} structural", count[&structural]), structural.x, structural.y)
       .colour(0)
-      .points("", x, z)
-      .colour(1)
+      .nodes("node", x, z)
       .equalAxes();
   return figure;
 }

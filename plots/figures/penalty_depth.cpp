@@ -1,8 +1,6 @@
 #include "engine/statics/equilibrium.h"
 #include "tools.h"
 
-#include <fmt/format.h>
-
 namespace muelle::plots {
 
 namespace {
@@ -53,7 +51,7 @@ Figure penalty_depth() {
     const engine::RunResult result = run(*system, "runge_kutta_4", 1e-4, 1.2, 2e-3);
     std::vector<double> height = result.trajectory.position(0);
     for (double& h : height) h *= 1000.0;
-    settling.line(fmt::format("k = {:.0f} N/m", k), result.trajectory.t, height);
+    settling.line(k < 1e4 ? "k = 10³ N/m" : "k = 10⁴ N/m", result.trajectory.t, height);
     settling.reference("", {0.0, 1.2}, {-1000.0 * g / k, -1000.0 * g / k});
   }
   return figure;

@@ -63,9 +63,9 @@ Figure tunnelling() {
   panel.line("", located.t, located.position(0));
   panel.linePoints("", coarse.t, coarse.position(0));
   panel.line("", fine.t, fine.position(0));
-  panel.reference("wall", {0.0, 0.1}, {0.0, 0.0}).xRange(0.0, 0.1).yRange(-20.0, 20.0);
-  panel.note(0.008, 7.0, "1/60 s, blind: through").note(0.055, -2.3, "1/60 s, touch found");
-  panel.note(0.05, -15.0, "0.2 ms, blind: thrown");
+  panel.reference("wall", {0.0, 0.1}, {0.0, 0.0}).xRange(0.0, 0.1).yRange(-45.0, 25.0);
+  panel.note(0.008, 11.0, "1/60 s, blind: through").note(0.055, -13.0, "1/60 s, touch found");
+  panel.note(0.02, -33.0, "0.2 ms, blind: thrown");
 
   auto zoom = figure.panel("position [mm]");
   zoom.heading("the touch").xLabel("time [ms]");

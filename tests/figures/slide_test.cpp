@@ -157,6 +157,42 @@ TEST(SlideAxes, EndWhereTheyAreTold) {
   EXPECT_TRUE(contains(script, "set cbrange [-3:9]"));
 }
 
+TEST(SlideField, SaysOnItsScaleWhereTheColoursAreCut) {
+  const auto scriptOf = [](std::vector<double> values, FixedRange range) {
+    Figure figure("cut", "Cut", "x [m]");
+    figure.slide().panel("z [m]").field({{0, 1}, {0, 1}, std::move(values), "E [J]", range, 10});
+    return figureText(figure).script;
+  };
+  const std::string above = scriptOf({0, 1, 2, 60}, {{0, 50}});
+  EXPECT_TRUE(contains(above, "set cbtics add ('≥50' 50)")) << above;
+  EXPECT_TRUE(contains(above, "maxcolors 10 "));
+  EXPECT_TRUE(contains(scriptOf({-7, NAN, 2, 60}, {{-5, 50}}), "set cbtics add ('≤-5' -5, '≥50' 50)"));
+  // What reaches an end is not beyond it; without a range nothing is.
+  EXPECT_FALSE(contains(scriptOf({0, 1, 2, 50}, {{0, 50}}), "cbtics add"));
+  EXPECT_FALSE(contains(scriptOf({0, 1, 2, 60}, {}), "cbtics add"));
+}
+
+TEST(SlideField, HasLightLinesOnIt) {
+  Figure figure("lines", "Lines", "x [m]");
+  figure.slide(2);
+  figure.panel("z [m]").structure("", {0, 1}, {0, 1});
+  figure.panel("z [m]").structure("", {0, 1}, {0, 1}).field({{0, 1}, {0, 1}, {1, 2, 3, 4}, "E [J]"});
+  const std::string script = figureText(figure).script;
+  const std::size_t first = script.find("lc rgb '#ffffff' lw 1");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_GT(first, script.find("with image"));  // of the second panel only
+  EXPECT_EQ(script.find("lc rgb '#ffffff' lw 1", first + 1), std::string::npos);
+}
+
+TEST(SlideNodes, AreDarkDiscsWhateverTheColoursAround) {
+  Figure figure("nodes", "Nodes", "x [m]");
+  figure.slide().panel("z [m]").line("spring", {0, 1}, {0, 1}).nodes("node", {0, 1}, {0, 1}).line("path", {0}, {1});
+  const std::string script = figureText(figure).script;
+  EXPECT_TRUE(contains(script, "set style line 22 lc rgb '#222222' lw 1 dt 1 pt 7"));
+  EXPECT_TRUE(contains(script, "with points ls 22")) << script;
+  EXPECT_FALSE(contains(script, "set style line 3 "));  // they take no colour of the palette
+}
+
 TEST(SlideAxes, MayBeLinearAfterALogarithmicOne) {
   Figure figure("scales", "Scales", "x");
   figure.slide(2).panel("y").line("", {1, 10}, {1, 10}).logX().logY();
@@ -250,6 +286,7 @@ TEST(SlideErrors, AreFoundWhereTheyAreMade) {
   EXPECT_THROW(panel.field({{0, 1, 3}, {0, 1}, {1, 2, 3, 4, 5, 6}, "E"}), std::invalid_argument);
   EXPECT_THROW(panel.field({{0, 1}, {1, 0}, {1, 2, 3, 4}, "E"}), std::invalid_argument);
   EXPECT_THROW(panel.field({{0, 1}, {0, 1}, {1, 2, 3, 4}, "E", {{1, 0}}}), std::invalid_argument);
+  EXPECT_THROW(panel.field({{0, 1}, {0, 1}, {1, 2, 3, 4}, "E", {}, 1}), std::invalid_argument);
 }
 
 TEST(SlideErrors, IncludeTextThatCannotBeSeen) {
