@@ -17,6 +17,9 @@ expect 0 "oscillator_energy.svg" oscillator --plot --csv --out "$folder/figures"
 for file in oscillator_energy.svg oscillator_outputs.svg oscillator_shape.svg oscillator.csv; do
   [[ -s "$folder/figures/$file" ]] || { echo "muelle run did not write $file" >&2; failures=$((failures + 1)); }
 done
+heads="$(head -n 1 "$folder/figures/oscillator.csv")"
+[[ $heads == "t [s],node 0 x [m],node 1 x [m],node 0 vx [m/s],node 1 vx [m/s],"* ]] \
+  || { echo "oscillator.csv has the heads $heads" >&2; failures=$((failures + 1)); }
 expect 1 "muelle: oscillator:" oscillator --method explicit_euler --step 0.5 --duration 100
 expect 2 "SCENE is missing"
 expect 2 "did you mean 'oscillator'?" oscilator

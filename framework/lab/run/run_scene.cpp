@@ -198,11 +198,17 @@ SceneRun runScene(const Scene& scene, const std::string& label) {
   return run;
 }
 
+std::string axesOf(const Model& model) {
+  const std::string all = "xyz";
+  if (model.dimension == 2)
+    return {all[static_cast<std::size_t>(model.plane[0])], all[static_cast<std::size_t>(model.plane[1])]};
+  return all.substr(0, static_cast<std::size_t>(model.dimension));
+}
+
 Trajectory trajectoryOf(const SceneRun& run) {
   const Trajectory& inside = run.result.trajectory;
   const Model& model = run.system->model();
-  const std::array<int, 3> axes =
-      model.dimension == 2 ? std::array<int, 3>{model.plane[0], model.plane[1], 0} : std::array<int, 3>{0, 1, 2};
+  const std::string axes = axesOf(model);
   Trajectory given;
   given.t = inside.t;
   given.tracks = inside.tracks;
@@ -214,9 +220,9 @@ Trajectory trajectoryOf(const SceneRun& run) {
     for (int node = 0; node < run.system->nodeCount(); ++node) {
       const Vec3 position = run.system->position(state, node);
       const Vec3 velocity = run.system->velocity(state, node);
-      for (int i = 0; i < model.dimension; ++i) {
-        x.push_back(position[axes[static_cast<std::size_t>(i)]]);
-        v.push_back(velocity[axes[static_cast<std::size_t>(i)]]);
+      for (const char axis : axes) {
+        x.push_back(position[axis - 'x']);
+        v.push_back(velocity[axis - 'x']);
       }
     }
   }

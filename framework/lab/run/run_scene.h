@@ -67,6 +67,8 @@ SceneRun runScene(const engine::Scene& scene, const std::string& label = {});
 /// The run's trajectory in the scene's numbering of nodes, pinned and moved ones included: D columns a node, D the
 /// scene's dimension (node i of a 3D scene has x 3i, 3i+1, 3i+2). Inside, the unknowns are numbered otherwise.
 Trajectory trajectoryOf(const SceneRun& run);
+/// The letters of those columns: "x", the two of a plane's axes, or "xyz".
+std::string axesOf(const engine::Model& model);
 
 /// The summary that `muelle run` prints: method, steps, times, error, energy, work, warnings, events.
 std::string summaryOf(const engine::Scene& scene, const SceneRun& run);
