@@ -198,6 +198,7 @@ TEST(Table, HasTheNodesAsTheSceneNumbersThem) {
   overrides.duration = 0.02;
   const SceneRun result = runScene(applied(scene, overrides));
   const Trajectory table = trajectoryOf(result);
+  EXPECT_EQ(axesOf(scene.model), "xz");
   ASSERT_EQ(table.x.front().size(), 2u * 21u);
   for (int node = 0; node < 21; ++node) {
     EXPECT_EQ(table.x.front()[static_cast<std::size_t>(2 * node)],
@@ -215,6 +216,49 @@ TEST(Figures, AreThoseOfTheOutputs) {
   for (const Figure& figure : figures) names.push_back(figure.id());
   EXPECT_THAT(names, ::testing::ElementsAre("elastic_pendulum_energy", "elastic_pendulum_outputs",
                                             "elastic_pendulum_shape", "elastic_pendulum_path"));
+}
+
+TEST(Figures, TellThePotentialEnergyFromItsLeast) {
+  const Scene scene = readScene(MUELLE_SCENES "/elastic_pendulum.toml");  // it hangs 10 J below its hook
+  const Figure energy = figuresOf(scene, runScene(scene)).front();
+  const std::vector<Series>& curves = energy.panels().front().series;
+  ASSERT_EQ(curves[1].name, "potential");
+  EXPECT_EQ(*std::ranges::min_element(curves[1].y), 0.0);
+  for (std::size_t i = 0; i < curves[0].y.size(); ++i) {
+    // Three sums of numbers of about 10 J, each rounded to 2e-15 J.
+    EXPECT_NEAR(curves[0].y[i] + curves[1].y[i], curves[2].y[i], 1e-14);
+  }
+  EXPECT_FALSE(energy.panels().front().yExpected) << "nothing to cut in a run that went well";
+}
+
+TEST(Figures, MarkNodesAndTheStartsOfPaths) {
+  const Scene scene = readScene(MUELLE_SCENES "/elastic_pendulum.toml");
+  const std::vector<Figure> figures = figuresOf(scene, runScene(scene));
+  const auto& shape = figures[2].panels().front().series;
+  const auto nodes = std::ranges::find(shape, "nodes", &Series::name);
+  ASSERT_NE(nodes, shape.end());
+  EXPECT_EQ(nodes->x.size(), scene.model.nodes.size());
+  const auto& path = figures[3].panels().front().series;
+  const auto start = std::ranges::find(path, "start", &Series::name);
+  ASSERT_NE(start, path.end());
+  EXPECT_EQ(start->x, std::vector<double>{path.front().x.front()});
+  EXPECT_EQ(start->y, std::vector<double>{path.front().y.front()});
+}
+
+TEST(Figures, ShowWhatCameBeforeAnExplosion) {
+  RunOverrides overrides;
+  overrides.method = "explicit_euler";
+  overrides.step = 0.2;
+  overrides.duration = 20.0;
+  const Scene scene = applied(oscillator(), overrides);
+  const SceneRun run = runScene(scene);
+  ASSERT_TRUE(run.result.failed());
+  for (const Figure& figure : figuresOf(scene, run)) {
+    const Panel& panel = figure.panels().front();
+    ASSERT_TRUE(panel.yExpected) << figure.id();
+    // Energies end at 1e9 J, positions at 1e4 m.
+    EXPECT_LT(panel.yExpected->second, 200.0) << figure.id();
+  }
 }
 
 TEST(Figures, TakeATitleInAnyAlphabet) {
