@@ -34,11 +34,12 @@ struct KindKeys {
 
 const std::map<std::string, KindKeys>& kinds() {
   static const std::map<std::string, KindKeys> all = {
-      {"chain", {{"nodes", "from", "to"}, {"taper", "angle_stiffness", "L0", "sag", "unilateral"}}},
-      {"rope", {{"mesh"}, {"scale", "weld", "angle_stiffness", "unilateral"}}},
+      {"chain", {{"nodes", "from", "to"}, {"taper", "angle_stiffness", "L0", "sag", "unilateral", "rod"}}},
+      {"rope", {{"mesh"}, {"scale", "weld", "angle_stiffness", "unilateral", "rod"}}},
       {"grid",
        {{"nodes", "spacing"},
-        {"origin", "across", "along", "shear_stiffness", "bend_stiffness", "dihedral_stiffness", "area_modulus"}}},
+        {"origin", "across", "along", "shear_stiffness", "bend_stiffness", "dihedral_stiffness", "area_modulus",
+         "rod"}}},
       {"box", {{"cells", "size"}, {"centre", "bulk_modulus"}}},
       {"shell", {{"mesh"}, {"scale", "weld"}}},
       {"lattice", {{"mesh", "spacing"}, {"scale", "weld", "ties"}}},
@@ -48,18 +49,26 @@ const std::map<std::string, KindKeys>& kinds() {
 
 void checkKeys(const TableReader& table, const std::string& kind) {
   Keys known = commonKeys;
-  Keys required = {"kind", "k"};
+  Keys required = {"kind"};
   const KindKeys& keys = kinds().at(kind);
   known.insert(known.end(), keys.required.begin(), keys.required.end());
   known.insert(known.end(), keys.optional.begin(), keys.optional.end());
   required.insert(required.end(), keys.required.begin(), keys.required.end());
+  const bool mayBeRods = std::ranges::find(keys.optional, "rod") != keys.optional.end();
+  if (!(mayBeRods && table.has("rod"))) required.emplace_back("k");
   table.checkKeys(known, required);
   table.oneKeyOf({"mass", "density"}, true);
   table.oneKeyOf({"damping_ratio", "projected_damping"}, false);
 }
 
 SpringMaterial readMaterial(const TableReader& table) {
-  return {table.positive("k"), table.notNegative("relative_damping", 0.0), table.notNegative("projected_damping", 0.0)};
+  SpringMaterial material;
+  material.rod = table.flag("rod", false);
+  if (material.rod && table.has("k")) table.fail("k", "a rod has no stiffness: leave k or rod out");
+  if (!material.rod) material.k = table.positive("k");
+  material.dRelative = table.notNegative("relative_damping", 0.0);
+  material.dProjected = table.notNegative("projected_damping", 0.0);
+  return material;
 }
 
 Part readChain(const TableReader& table, Model& model) {

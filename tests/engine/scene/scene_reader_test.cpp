@@ -30,6 +30,13 @@ const std::vector<Fault>& faults() {
        "scenes/test.toml:1: key 'title': missing in the scene"},
       {"MisspeltKey", head + pair + "[[spring]]\nnodes = [0, 1]\nk = 1\nrelative_dampng = 2\n" + run,
        "scenes/test.toml:15: key 'relative_dampng': unknown; did you mean 'relative_damping'?"},
+      {"ChainOfRodsWithStiffness",
+       head + "[[object]]\nkind = 'chain'\nnodes = 3\nfrom = 0.0\nto = 1.0\nmass = 1\nrod = true\nk = 1\n" + run,
+       "scenes/test.toml:13: key 'k': a rod has no stiffness: leave k or rod out"},
+      {"BoxOfRods",
+       head + "[[object]]\nkind = 'box'\ncells = [1, 1, 1]\nsize = [1, 1, 1]\nmass = 1\nrod = true\n" + run,
+       "scenes/test.toml:11: key 'rod': unknown; there are kind, name, mass, density, k, relative_damping, "
+       "projected_damping, damping_ratio, drag, velocity, spin, turn, translation, cells, size, centre, bulk_modulus"},
       {"RodWithStiffness", head + pair + "[[spring]]\nnodes = [0, 1]\nrod = true\nk = 1\n" + run,
        "scenes/test.toml:15: key 'k': a rod has no stiffness: leave k or rod out"},
       {"TextForNumber", head + "[[node]]\nx = 'here'\nm = 1\n" + run,

@@ -4,6 +4,7 @@
 #include "lab/run/scene_figures.h"
 #include "support/scene_text.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <cmath>
 #include <numbers>
@@ -207,6 +208,38 @@ TEST(Table, HasTheNodesAsTheSceneNumbersThem) {
               scene.model.nodes[static_cast<std::size_t>(node)].x[2]);
   }
   EXPECT_EQ(table.x.back().front(), 0.0);  // a hook
+}
+
+TEST(Rods, OfAGeneratorAreThoseOfSpringTablesBitForBit) {
+  const std::string begin = "title = 'A'\nshows = 'b'\nslide = 'c'\ndimension = 2\ngravity = 9.81\n";
+  const std::string end = "[run]\nmethod = 'rattle'\nstep = 0.01\nduration = 1.0\n";
+  const std::string chain =
+      "[[object]]\nkind = 'chain'\nnodes = 5\nfrom = [0, 0]\nto = [4, 0]\nrod = true\nmass = 5\n"
+      "[[pin]]\nnodes = [0]\n";
+  std::string tables;
+  for (int i = 0; i < 5; ++i) {
+    tables += fmt::format("[[node]]\nx = [{}, 0]\nm = 1\npinned = {}\n", i, i == 0 ? "true" : "false");
+  }
+  for (int i = 0; i < 4; ++i) tables += fmt::format("[[spring]]\nnodes = [{}, {}]\nrod = true\n", i, i + 1);
+  const SceneRun generated = runScene(sceneFrom(begin + chain + end));
+  const SceneRun byHand = runScene(sceneFrom(begin + tables + end));
+  ASSERT_FALSE(generated.result.failed());
+  EXPECT_LT(generated.result.last.x.back(), -0.5) << "it falls";
+  EXPECT_EQ(generated.result.trajectory.x, byHand.result.trajectory.x);
+  EXPECT_EQ(generated.result.trajectory.v, byHand.result.trajectory.v);
+}
+
+TEST(Rods, OfAGridAreRedundantAndNamed) {
+  const std::string grid =
+      "title = 'A'\nshows = 'b'\nslide = 'c'\ndimension = 2\n[[object]]\nkind = 'grid'\nnodes = [2, 2]\n"
+      "spacing = 1\nrod = true\nmass = 1\n[[pin]]\nnodes = [0, 1]\n[run]\nmethod = 'rattle'\nstep = 0.01\n"
+      "duration = 1.0\n";
+  try {
+    runScene(sceneFrom(grid));
+    FAIL() << "both ends of the first rod are pinned";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("redundant rod"));
+  }
 }
 
 TEST(Figures, AreThoseOfTheOutputs) {
