@@ -100,7 +100,7 @@ TEST(Trajectory, NamesTheProbesThatThereAre) {
     example().track("enrgy");
     FAIL() << "no such probe";
   } catch (const std::out_of_range& error) {
-    EXPECT_STREQ(error.what(), "Trajectory: no probe 'enrgy'; there are energy, \"total\"");
+    EXPECT_STREQ(error.what(), "Trajectory: no probe 'enrgy'; there is energy, \"total\"");
   }
 }
 

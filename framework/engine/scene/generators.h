@@ -53,9 +53,9 @@ Part addRope(Model& model, const RopeShape& shape);
 struct GridShape {
   int nu = 2, nv = 2;  ///< at least 2 each
   Vec3 origin = Vec3::Zero();
-  Vec3 across = Vec3::UnitX();  ///< unit vector along i
-  Vec3 along = Vec3::UnitY();   ///< unit vector along j
-  double spacing = 0.1;         ///< [m]
+  Vec3 across = Vec3::UnitX();     ///< unit vector along i
+  Vec3 along = Vec3::UnitY();      ///< unit vector along j
+  double spacing = 0.1;            ///< [m]
   SpringMaterial structural = {};  ///< rods leave shear and bend what they are, springs
   double shearStiffness = 0.0;     ///< [N/m] of both diagonals of each cell; 0: none
   double bendStiffness = 0.0;      ///< [N/m] of springs over two cells in both directions; 0: none

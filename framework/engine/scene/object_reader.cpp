@@ -1,6 +1,7 @@
 #include "engine/scene/object_reader.h"
 
 #include "base/text/count.h"
+#include "base/text/nearest.h"
 #include "base/text/printable.h"
 #include "engine/scene/connectivity.h"
 #include "engine/scene/mesh_file.h"
@@ -143,11 +144,28 @@ std::string doubtsAbout(const SurfaceMesh& mesh, const Connectivity& found, cons
                      shared ? "; weld = true makes one node of those at the same place" : "");
 }
 
+/// The mesh files of a folder by name, in order.
+std::vector<std::string> meshesIn(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension == ".obj" || extension == ".off" || extension == ".ply") {
+      names.push_back(printableLine(entry.path().filename().string()));
+    }
+  }
+  std::ranges::sort(names);
+  constexpr std::size_t mostNames = 20;
+  if (names.size() > mostNames) names.resize(mostNames);
+  return names;
+}
+
 SurfaceMesh readMesh(const TableReader& table, const std::filesystem::path& folder, Scene& scene, MeshPart wanted) {
   const std::string name = table.text("mesh");
   const std::filesystem::path file = folder / name;  // an absolute name stays as it is
   if (!std::filesystem::is_regular_file(file)) {
-    table.fail("mesh", fmt::format("no file '{}' beside the scene", name));
+    table.fail("mesh",
+               fmt::format("no file '{}' beside the scene{}", printableLine(name), suggestion(name, meshesIn(folder))));
   }
   SurfaceMesh mesh = readMeshFile(file, wanted);
   if (table.flag("weld", false)) weld(mesh);

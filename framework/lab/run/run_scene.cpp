@@ -3,6 +3,7 @@
 #include "base/text/count.h"
 #include "engine/integrators/catalogue.h"
 #include "engine/model/singular_starts.h"
+#include "engine/scene/selection.h"
 #include "lab/run/energy_balance.h"
 
 #include <fmt/format.h>
@@ -183,13 +184,16 @@ RunOptions optionsOf(const Scene& scene) {
   return options;
 }
 
-SceneRun runScene(const Scene& scene, const std::string& label) {
+SceneRun runScene(const Scene& scene, const std::string& label, double available) {
+  const Foresight foresight = foresee(scene);
+  requireMemory(scene, foresight, available);
   SceneRun run;
   run.system = build(scene.model);
   const std::unique_ptr<Integrator> method = makeMethod(scene.method);
   run.method = method->info();
   run.options = optionsOf(scene);
   run.options.label = label;
+  run.options.mostMemory = roomForOutputs(foresight, available);
   RunOptions options = run.options;
   options.probes = probesOf(scene, *run.system);
   run.result = simulate(*run.system, *method, run.system->initialState(), options);
@@ -199,10 +203,9 @@ SceneRun runScene(const Scene& scene, const std::string& label) {
 }
 
 std::string axesOf(const Model& model) {
-  const std::string all = "xyz";
-  if (model.dimension == 2)
-    return {all[static_cast<std::size_t>(model.plane[0])], all[static_cast<std::size_t>(model.plane[1])]};
-  return all.substr(0, static_cast<std::size_t>(model.dimension));
+  std::string axes;
+  for (const std::string& axis : axisNames({model.dimension, model.plane})) axes += axis;
+  return axes;
 }
 
 Trajectory trajectoryOf(const SceneRun& run) {
