@@ -197,6 +197,7 @@ void readMotion(const TableReader& table, Scene& scene) {
 }
 
 void readForce(const TableReader& table, Scene& scene) {
+  table.refuseOtherNames({{"force", "F"}});
   table.checkKeys(with({"F", "during", "frequency"}, selectionKeys), {"F"});
   const Vec3 F = table.vector("F");
   const auto [from, to] = table.has("during") ? table.interval("during") : std::pair(0.0, forever);
@@ -218,6 +219,8 @@ void readProperty(const TableReader& table, Scene& scene) {
 void readObstacle(const TableReader& table, Model& model) {
   static const Keys material = {"name",      "shape",        "k",           "d", "mu", "velocity",
                                 "stop_time", "k_tangential", "d_tangential"};
+  table.refuseOtherNames(
+      {{"kind", "shape"}, {"type", "shape"}, {"stiffness", "k"}, {"friction", "mu"}, {"damping", "d"}});
   const std::string shape = table.choice("shape", {"plane", "sphere", "box"});
   Obstacle obstacle;
   if (shape == "plane") {

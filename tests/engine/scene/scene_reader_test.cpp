@@ -47,6 +47,8 @@ const std::vector<Fault>& faults() {
        "scenes/test.toml:15: key 'object': no object 'rope'; there is c"},
       {"KeyByAnotherName", head + pair + spring + "[run]\nintegrator = 'velocity_verlet'\ndt = 0.01\nduration = 1\n",
        "scenes/test.toml:16: key 'integrator': unknown; here it is 'method'"},
+      {"KindOfAnObstacle", head + pair + "[[obstacle]]\nkind = 'plane'\npoint = 0.0\nk = 1.0\n" + run,
+       "scenes/test.toml:13: key 'kind': unknown; here it is 'shape'"},
       {"MassOfANode", head + "[[node]]\nx = 0.0\nmass = 1.0\n" + run,
        "scenes/test.toml:8: key 'mass': unknown; here it is 'm'"},
       {"RodWithStiffness", head + pair + "[[spring]]\nnodes = [0, 1]\nrod = true\nk = 1\n" + run,
