@@ -42,34 +42,39 @@ muelle::Figure bounces() {
         up, [=](const Vec3& x, const Vec3& v) { return submission::planeContact(x, v, origin, up, k, d); }, 2e-3, 3.0);
   };
   const muelle::Trajectory elastic = onGround(0.0), damped = onGround(15.0);
-  muelle::Figure figure("bounces", "An elastic contact returns the ball, a damped one takes energy each time",
-                        "time [s]");
+  muelle::Figure figure("bounces", "Two balls fall on the ground", "time [s]");
   figure.panel("height [m]")
       .line("no damping", elastic.t, elastic.position(2))
-      .line("with damping", damped.t, damped.position(2));
+      .line("with damping", damped.t, damped.position(2))
+      .expect(-0.1, 1.0);
   figure.panel("kinetic energy and weight [J]")
       .line("no damping", elastic.t, elastic.track("energy"))
-      .line("with damping", damped.t, damped.track("energy"));
+      .line("with damping", damped.t, damped.track("energy"))
+      .expect(0.0, g);  // the weight of 1 kg at 1 m
   return figure;
 }
 
 muelle::Figure paths() {
   const double R = 0.5, k = 4000.0, d = 20.0;
-  muelle::Figure figure("paths", "A sphere pushes along its normal: balls glance off", "x [m]");
+  muelle::Figure figure("paths", "Balls fall on a sphere", "x [m]");
   figure.equalAxes();
   auto panel = figure.panel("z [m]");
+  panel.expectX(-1.2, 1.0).expect(-1.2, 1.0);
+  std::vector<double> startX, startZ;
   for (const double offset : {-0.4, 0.2, 0.45}) {
     const muelle::Trajectory run = drop(
         Vec3(offset, 0, 1),
         [=](const Vec3& x, const Vec3& v) { return submission::sphereContact(x, v, origin, R, k, d); }, 2e-3, 0.7);
     panel.line(fmt::format("{:g} m", offset), run.position(0), run.position(2));
+    startX.push_back(offset);
+    startZ.push_back(1.0);
   }
   std::vector<double> circleX, circleZ;
   for (int i = 0; i <= 90; ++i) {
     circleX.push_back(R * std::cos(i * M_PI / 45));
     circleZ.push_back(R * std::sin(i * M_PI / 45));
   }
-  panel.reference("sphere", circleX, circleZ);
+  panel.points("start", startX, startZ).reference("sphere", circleX, circleZ);
   return figure;
 }
 
@@ -110,8 +115,9 @@ muelle::Trajectory land() {
 muelle::Figure column() {
   const muelle::Trajectory run = land();
   const std::vector<double> rest = submission::columnAtRest(mass, k, L0, kPlane, g);
-  muelle::Figure figure("column", "A column lands and settles where the forces on every node sum to zero", "time [s]");
+  muelle::Figure figure("column", "A column falls on the ground, and columnAtRest", "time [s]");
   auto panel = figure.panel("height [m]");
+  panel.expect(-0.1, 1.0);
   for (int i = 0; i < 4; ++i) panel.line(fmt::format("node {}", i), run.t, run.position(i));
   panel.points("columnAtRest", std::vector<double>(rest.size(), run.t.back()), rest);
   return figure;

@@ -70,22 +70,23 @@ MUELLE_DEMO {
     return submission::projectedDamping(xa, xb, va, vb, d);
   });
 
-  muelle::Figure figure("dampers", "One pair, three dampers: what each of them brakes", "time [s]");
-  const auto panel = [&](const char* label, const char* track) {
+  muelle::Figure figure("dampers", "One pair, three dampers", "time [s]");
+  const auto panel = [&](const char* label, const char* track, double low, double high) {
     auto builder = figure.panel(label);
+    builder.expect(low, high);
     builder.line("node", node.t, node.track(track));
     builder.line("relative velocity", relative.t, relative.track(track));
     builder.line("projected velocity", projected.t, projected.track(track));
     return builder;
   };
-  panel("falling speed [m/s]", "falling speed").reference("final speed m g / d", node.t, at(node.t, [](double) {
-                                                            return m * g / d;
-                                                          }));
+  // Two of the dampers do not brake the fall.
+  panel("falling speed [m/s]", "falling speed", 0.0, g * node.t.back())
+      .reference("final speed m g / d", node.t, at(node.t, [](double) { return m * g / d; }));
   // Equal nodes have the reduced mass m / 2.
   const double start = 1.2 * m;
-  panel("angular momentum [kg m²/s]", "angular momentum")
+  panel("angular momentum [kg m²/s]", "angular momentum", 0.0, start)
       .reference("rate d / m", node.t, at(node.t, [=](double t) { return start * std::exp(-t * d / m); }))
       .reference("rate d / mu", node.t, at(node.t, [=](double t) { return start * std::exp(-t * d / (m / 2)); }));
-  panel("length [m]", "length");
+  panel("length [m]", "length", 0.8, 1.2);
   return {figure};
 }

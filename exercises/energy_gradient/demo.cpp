@@ -38,11 +38,13 @@ muelle::Figure stretch() {
     sparse.push_back(L);
     minusSlope.push_back(-along.dot(slopes(L * along, 1e-4)));
   }
-  muelle::Figure figure("stretch", "The force is minus the slope of the energy", "length [m]");
-  figure.panel("energy [J]").line("springEnergy", length, stored);
+  muelle::Figure figure("stretch", "Energy and force of a spring that is stretched", "length [m]");
+  const double most = 0.6;  // [m] of stretch, at the end
+  figure.panel("energy [J]").line("springEnergy", length, stored).expect(0.0, k / 2 * most * most);
   figure.panel("force on a along ab [N]")
       .line("springForces", length, force)
-      .points("minus the slope of springEnergy", sparse, minusSlope);
+      .points("minus the slope of springEnergy", sparse, minusSlope)
+      .expect(-k * most, k * L0);
   return figure;
 }
 
@@ -71,8 +73,11 @@ muelle::Figure cycle() {
       stored.push_back(energy(onLoop(now)) - energy(onLoop(0.0)));
     }
   }
-  muelle::Figure figure("cycle", "A cycle of stretch and release gives the energy back", "time [s]");
-  figure.panel("energy [J]").line("work against springForces", t, work).points("gain of springEnergy", sparseT, stored);
+  muelle::Figure figure("cycle", "Work and energy of a cycle of stretch and release", "time [s]");
+  figure.panel("energy [J]")
+      .line("work against springForces", t, work)
+      .points("gain of springEnergy", sparseT, stored)
+      .expect(0.0, 10.0);
   return figure;
 }
 
@@ -86,7 +91,7 @@ muelle::Figure convergence() {
     error.push_back((slopes(xa, h) - gradient).norm());
     slopeTwo.push_back(h >= 1e-5 ? 10 * h * h : std::nan(""));
   }
-  muelle::Figure figure("finite_difference", "The central difference converges with order 2, until rounding takes over",
+  muelle::Figure figure("finite_difference", "Central differences of the energy against the gradient",
                         "step of the difference [m]");
   figure.logX();
   figure.panel("distance from the gradient [N]")

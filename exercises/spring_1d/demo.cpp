@@ -53,11 +53,15 @@ MUELLE_DEMO {
     balance.push_back(kinetic[i] - work[i]);
   }
 
-  muelle::Figure figure("oscillator", "A node on a spring swings about its equilibrium", "time [s]");
-  figure.panel("height x [m]").line("your node", run.t, x).reference("analytic oscillator", run.t, exactX);
+  muelle::Figure figure("oscillator", "A node on a spring", "time [s]");
+  figure.panel("height x [m]")
+      .line("your node", run.t, x)
+      .reference("analytic oscillator", run.t, exactX)
+      .expect(equilibrium - amplitude, equilibrium + amplitude);
   figure.panel("energy [J]")
       .line("kinetic", run.t, kinetic)
       .line("kinetic minus work of the forces", run.t, balance)
-      .reference("analytic kinetic", run.t, exactKinetic);
+      .reference("analytic kinetic", run.t, exactKinetic)
+      .expect(0.0, energy);
   return {figure};
 }

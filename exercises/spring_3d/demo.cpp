@@ -49,15 +49,20 @@ MUELLE_DEMO {
     total.push_back(kinetic[i] - work[i]);
   }
 
-  muelle::Figure path("pendulum_path", "An elastic pendulum swings and bounces", "x [m]");
-  path.panel("z [m]").line("path of your node", run.position(0), z);
+  muelle::Figure path("pendulum_path", "Path of an elastic pendulum", "x [m]");
+  path.panel("z [m]")
+      .line("path of your node", run.position(0), z)
+      .points("start", {run.position(0).front()}, {z.front()})
+      .expectX(-0.8, 0.8)
+      .expect(-1.6, -0.8);
   path.equalAxes();
 
-  muelle::Figure energy("pendulum_energy", "The spring takes energy and gives it back", "time [s]");
+  muelle::Figure energy("pendulum_energy", "Energies of an elastic pendulum", "time [s]");
   energy.panel("energy since the start [J]")
       .line("kinetic", run.t, kinetic)
       .line("of height", run.t, height)
       .line("stored in the spring (minus its work)", run.t, stored)
-      .line("total", run.t, total);
+      .line("total", run.t, total)
+      .expect(-5.5, 4.5);
   return {path, energy};
 }

@@ -49,20 +49,23 @@ const std::vector<double>& momentum(const muelle::Trajectory& run, bool angular,
 }
 
 muelle::Figure energies(const muelle::Trajectory& run) {
-  muelle::Figure figure("energy", "Free flight: energy goes to and fro, its sum stays", "time [s]");
+  muelle::Figure figure("energy", "Free flight: energies", "time [s]");
   figure.panel("energy [J]")
       .line("kinetic", run.t, run.track("kinetic energy"))
       .line("elastic", run.t, run.track("elastic energy"))
-      .line("total", run.t, run.track("total energy"));
+      .line("total", run.t, run.track("total energy"))
+      .expect(0.0, 8.0);
   return figure;
 }
 
 muelle::Figure momenta(const muelle::Trajectory& run) {
-  muelle::Figure figure("momenta", "Free flight: both momenta stay", "time [s]");
+  muelle::Figure figure("momenta", "Free flight: momenta", "time [s]");
   const char* names[] = {"x", "y", "z"};
   auto linear = figure.panel("linear [kg m/s]");
+  linear.expect(0.0, 1.6);
   for (std::size_t axis = 0; axis < 3; ++axis) linear.line(names[axis], run.t, momentum(run, false, axis));
   auto angular = figure.panel("angular [kg m²/s]");
+  angular.expect(0.0, 2.6);
   for (std::size_t axis = 0; axis < 3; ++axis) angular.line(names[axis], run.t, momentum(run, true, axis));
   return figure;
 }
@@ -78,12 +81,15 @@ std::vector<double> centre(const muelle::Trajectory& run, int axis) {
 }
 
 muelle::Figure paths(const muelle::Trajectory& run) {
-  muelle::Figure figure("paths", "The nodes turn about a centre that flies straight", "x [m]");
+  muelle::Figure figure("paths", "Free flight: paths of the nodes and of their centre", "x [m]");
   figure.equalAxes();
   auto panel = figure.panel("y [m]");
+  panel.expectX(-0.6, 2.9).expect(-0.5, 1.9);
   const char* names[] = {"node 0", "node 1", "node 2"};
   for (int node = 0; node < 3; ++node) panel.line(names[node], run.position(3 * node), run.position(3 * node + 1));
   panel.line("centre of mass", centre(run, 0), centre(run, 1));
+  const std::vector<double>& start = run.x.front();
+  panel.points("start", {start[0], start[3], start[6]}, {start[1], start[4], start[7]});
   return figure;
 }
 

@@ -1,5 +1,7 @@
 # Everything that is built for an exercise. Exercises are found by their folders, so that a new one needs no edit here.
 
+include(${CMAKE_CURRENT_LIST_DIR}/OldIncludes.cmake)
+
 # The precompiled header of the students' files: Eigen/Core and the harness's exercise.h, with the students' own flags.
 function(muelle_prelude)
   set(header ${CMAKE_SOURCE_DIR}/framework/harness/exercise.h)
@@ -115,7 +117,19 @@ function(muelle_missing_files topic result)
   set(${result} "${missing}" PARENT_SCOPE)
 endfunction()
 
+# Stops at a header that an author's file includes by an old name. CMake runs again when such a file changes.
+function(muelle_refuse_old_includes topic)
+  file(GLOB files ${CMAKE_SOURCE_DIR}/exercises/${topic}/${topic}.h ${CMAKE_SOURCE_DIR}/exercises/${topic}/public_test.cpp
+       ${CMAKE_SOURCE_DIR}/exercises/${topic}/demo.cpp ${CMAKE_SOURCE_DIR}/tests/hidden/${topic}/*.cpp)
+  set_property(DIRECTORY ${CMAKE_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
+  muelle_old_include(old ${CMAKE_SOURCE_DIR} ${files})
+  if(old)
+    message(FATAL_ERROR " ${old}")  # the blank keeps CMake from breaking the line
+  endif()
+endfunction()
+
 function(muelle_exercise topic)
+  muelle_refuse_old_includes(${topic})
   muelle_missing_files(${topic} missing)
   if(missing)
     list(JOIN missing ", " missing)

@@ -44,7 +44,10 @@ double beginningOf(const std::vector<double>& row, double labelLeft, double keyR
 
 void placeHeader(double labelLeft, double keyRight, const PanelShape& shape, const KeyRows& rows, PanelLayout& panel) {
   const double firstRow = panel.plot.top - headerFoot - rowHeight * (static_cast<double>(rows.size()) - 0.5);
-  panel.yLabel = {labelLeft, firstRow, shape.yLabel, Side::Left};
+  // A plot that equal scales have made slim begins further right than the key has been given room from.
+  const double keyLeft = rows.front().empty() ? keyRight : beginningOf(rows.front(), 0.0, keyRight);
+  panel.yLabel = {std::min(labelLeft, std::max(0.0, keyLeft - entryGap - shape.yLabel)), firstRow, shape.yLabel,
+                  Side::Left};
   const std::optional<double> common = commonBeginning(labelLeft, keyRight, shape.yLabel, rows);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     double x = common ? *common : beginningOf(rows[i], labelLeft, keyRight);

@@ -24,11 +24,20 @@ std::vector<double> column(const std::vector<std::vector<double>>& rows, int i, 
   return values;
 }
 
-std::string csvHeader(const Trajectory& trajectory) {
-  std::string header = "t [s]";
+std::string csvHeader(const Trajectory& trajectory, const std::string& axes) {
   const std::size_t size = trajectory.x.empty() ? 0 : trajectory.x.front().size();
-  for (std::size_t i = 0; i < size; ++i) header += fmt::format(",x{} [m]", i);
-  for (std::size_t i = 0; i < size; ++i) header += fmt::format(",v{} [m/s]", i);
+  if (axes.empty() || size % axes.size() != 0) {
+    throw std::invalid_argument(
+        fmt::format("writeCsv: {} coordinates are no whole number of nodes with the axes '{}'", size, axes));
+  }
+  std::string header = "t [s]";
+  const auto addHeads = [&](const char* quantity, const char* unit) {
+    for (std::size_t i = 0; i < size; ++i) {
+      header += fmt::format(",node {} {}{} [{}]", i / axes.size(), quantity, axes[i % axes.size()], unit);
+    }
+  };
+  addHeads("", "m");
+  addHeads("v", "m/s");
   for (const Track& track : trajectory.tracks) {
     header += ',' + csvField(fmt::format("{} [{}]", track.name, track.unit));
   }
@@ -55,8 +64,8 @@ State Trajectory::last() const {
   return {t.back(), x.back(), v.back(), {}};
 }
 
-void writeCsv(const Trajectory& trajectory, const std::filesystem::path& file) {
-  std::string text = csvHeader(trajectory);
+void writeCsv(const Trajectory& trajectory, const std::string& axes, const std::filesystem::path& file) {
+  std::string text = csvHeader(trajectory, axes);
   const auto out = std::back_inserter(text);
   for (std::size_t row = 0; row < trajectory.t.size(); ++row) {
     fmt::format_to(out, "{}", trajectory.t[row]);  // the shortest text that reads back as the same number

@@ -39,8 +39,10 @@ struct Trajectory {
   State last() const;
 };
 
-/// Writes t, x0.., v0.., and the tracks as columns with a header line that has the units.
-/// Throws std::runtime_error when the file cannot be written; leaves no half-written file.
-void writeCsv(const Trajectory& trajectory, const std::filesystem::path& file);
+/// Writes t, positions, velocities and the tracks as columns, under a line of heads by node and axis with their units:
+/// "node 12 z [m]", "node 12 vz [m/s]". `axes` names the components of a node in the order of the flat arrays: "x",
+/// "xz", "xyz". Throws std::invalid_argument when they do not divide the arrays, std::runtime_error when the file
+/// cannot be written; leaves no half-written file.
+void writeCsv(const Trajectory& trajectory, const std::string& axes, const std::filesystem::path& file);
 
 }  // namespace muelle

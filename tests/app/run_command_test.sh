@@ -17,6 +17,9 @@ expect 0 "oscillator_energy.svg" oscillator --plot --csv --out "$folder/figures"
 for file in oscillator_energy.svg oscillator_outputs.svg oscillator_shape.svg oscillator.csv; do
   [[ -s "$folder/figures/$file" ]] || { echo "muelle run did not write $file" >&2; failures=$((failures + 1)); }
 done
+heads="$(head -n 1 "$folder/figures/oscillator.csv")"
+[[ $heads == "t [s],node 0 x [m],node 1 x [m],node 0 vx [m/s],node 1 vx [m/s],"* ]] \
+  || { echo "oscillator.csv has the heads $heads" >&2; failures=$((failures + 1)); }
 expect 1 "muelle: oscillator:" oscillator --method explicit_euler --step 0.5 --duration 100
 expect 2 "SCENE is missing"
 expect 2 "did you mean 'oscillator'?" oscilator
@@ -34,6 +37,9 @@ expect 2 "--no-events is now --events off" oscillator --no-events
 expect 0 "bouncing_ball" bouncing_ball --events off --duration 0.1
 expect 2 "--events" bouncing_ball --events maybe
 expect 2 "velocity" dumbbell --method nystrom8
+printf 'title = "x"\nshows = "y"\nslide = "z"\n[[object]]\nkind = "grid"\nnodes = [300, 300]\nspacing = 1\nk = 1\nmass = 1\n[run]\nmethod = "velocity_verlet"\nstep = 1e-3\nduration = 1\n' >"$folder/large.toml"
+# 1000 outputs of 90,000 nodes are 4 GiB, and the process may have 1.
+(ulimit -v 1048576; expect 2 "4.02 GiB for 1,000 outputs" "$folder/large.toml"; exit "$failures") || failures=$((failures + 1))
 printf 'title = "x"\ngravty = 3\n' >"$folder/bad.toml"
 expect 2 "$folder/bad.toml:2: key 'gravty': unknown; did you mean 'gravity'?" "$folder/bad.toml"
 exit $((failures > 0))

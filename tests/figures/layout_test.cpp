@@ -146,6 +146,17 @@ TEST(StackedLayout, KeepsOneScaleOnEqualAxes) {
   }
 }
 
+/// Equal scales make the plot of a high drawing slim: it begins where the first row of the key already runs.
+TEST(Key, LeavesTheLabelOfASlimPlotItsRoom) {
+  PanelShape shape = panelWith({371, 351});
+  shape.equalAxes = true;
+  shape.y.range = {0, 100};
+  const PanelLayout panel = layOut(stackOf({shape})).panels.front();
+  ASSERT_GT(panel.plot.left, panel.key.front().x);
+  EXPECT_FALSE(overlap(panel.yLabel.box(), panel.key.front().box()));
+  EXPECT_GE(panel.yLabel.x, 0.0);
+}
+
 TEST(Key, BreaksIntoRowsThatEndWithThePlot) {
   const PanelLayout panel = layOut(stackOf({panelWith({300, 300, 300, 200})})).panels.front();
   ASSERT_EQ(panel.key.size(), 4U);

@@ -36,7 +36,7 @@ std::vector<std::vector<double>> numbersOf(const std::string& csv) {
 TEST(Csv, ReadsBackAsTheSameNumbers) {
   const TemporaryFolder folder(::testing::TempDir());
   const Trajectory trajectory = example();
-  writeCsv(trajectory, folder.path() / "run.csv");
+  writeCsv(trajectory, "x", folder.path() / "run.csv");
   const std::vector<std::vector<double>> rows = numbersOf(readFile(folder.path() / "run.csv"));
   ASSERT_EQ(rows.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -51,18 +51,39 @@ TEST(Csv, ReadsBackAsTheSameNumbers) {
   EXPECT_TRUE(std::isnan(rows[2][5]));
 }
 
-TEST(Csv, NamesColumnsWithTheirUnits) {
+/// The first line that writeCsv leaves.
+std::string headsOf(const Trajectory& trajectory, const std::string& axes) {
   const TemporaryFolder folder(::testing::TempDir());
-  writeCsv(example(), folder.path() / "run.csv");
+  writeCsv(trajectory, axes, folder.path() / "run.csv");
   const std::string text = readFile(folder.path() / "run.csv");
-  EXPECT_EQ(text.substr(0, text.find('\n')), "t [s],x0 [m],x1 [m],v0 [m/s],v1 [m/s],\"energy, \"\"total\"\" [J]\"");
+  return text.substr(0, text.find('\n'));
+}
+
+TEST(Csv, NamesColumnsByNodeAndAxisWithTheirUnits) {
+  Trajectory run = example();
+  EXPECT_EQ(headsOf(run, "x"),
+            "t [s],node 0 x [m],node 1 x [m],node 0 vx [m/s],node 1 vx [m/s],\"energy, \"\"total\"\" [J]\"");
+  run.tracks.clear();
+  EXPECT_EQ(headsOf(run, "xz"), "t [s],node 0 x [m],node 0 z [m],node 0 vx [m/s],node 0 vz [m/s]");
+  run.t = {0.0};
+  run.x = run.v = {{1, 2, 3, 4, 5, 6}};
+  EXPECT_EQ(headsOf(run, "xyz"),
+            "t [s],node 0 x [m],node 0 y [m],node 0 z [m],node 1 x [m],node 1 y [m],node 1 z [m],"
+            "node 0 vx [m/s],node 0 vy [m/s],node 0 vz [m/s],node 1 vx [m/s],node 1 vy [m/s],node 1 vz [m/s]");
+}
+
+TEST(Csv, RefusesAxesThatDoNotDivideTheArrays) {
+  const TemporaryFolder folder(::testing::TempDir());
+  EXPECT_THROW(writeCsv(example(), "xyz", folder.path() / "run.csv"), std::invalid_argument);
+  EXPECT_THROW(writeCsv(example(), "", folder.path() / "run.csv"), std::invalid_argument);
+  EXPECT_TRUE(namesIn(folder.path()).empty());
 }
 
 TEST(Csv, LeavesNothingWhenItCannotBeWritten) {
   const TemporaryFolder folder(::testing::TempDir());
-  EXPECT_THROW(writeCsv(example(), folder.path() / "missing" / "run.csv"), std::runtime_error);
+  EXPECT_THROW(writeCsv(example(), "x", folder.path() / "missing" / "run.csv"), std::runtime_error);
   std::filesystem::create_directory(folder.path() / "run.csv");  // a folder of that name is in the way
-  EXPECT_THROW(writeCsv(example(), folder.path() / "run.csv"), std::runtime_error);
+  EXPECT_THROW(writeCsv(example(), "x", folder.path() / "run.csv"), std::runtime_error);
   EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{"run.csv"});
 }
 
@@ -79,7 +100,7 @@ TEST(Trajectory, NamesTheProbesThatThereAre) {
     example().track("enrgy");
     FAIL() << "no such probe";
   } catch (const std::out_of_range& error) {
-    EXPECT_STREQ(error.what(), "Trajectory: no probe 'enrgy'; there are energy, \"total\"");
+    EXPECT_STREQ(error.what(), "Trajectory: no probe 'enrgy'; there is energy, \"total\"");
   }
 }
 

@@ -65,7 +65,7 @@ void writeResults(const Command& command, const Scene& scene, const SceneRun& ru
   }
   if (command.csv) {
     const fs::path file = folder / (scene.name + ".csv");
-    muelle::writeCsv(trajectoryOf(run), file);
+    muelle::writeCsv(trajectoryOf(run), axesOf(run.system->model()), file);
     fmt::print("  {:<11} {}\n", "table", file.string());
   }
 }
@@ -109,7 +109,8 @@ int parseAndRun(int argc, char** argv) {
   program.flag("--no-error-estimate", command.noErrorEstimate,
                "Leave out the runs with other steps, which cost two to seven times the first");
   program.flag("--plot", command.plot, "Draw energy, outputs, shape and paths");
-  program.flag("--csv", command.csv, "Write the trajectory as a table, nodes as the scene numbers them");
+  program.flag("--csv", command.csv,
+               "Write the trajectory as a table, with a column for each node and axis as the scene numbers them");
   program.option("--out", command.out, "Folder for figures and table [out/SCENE]");
   program.flag("--list", command.list, "Name the scenes, run none");
   program.flag("--methods", command.methods, "Name the methods, run none");

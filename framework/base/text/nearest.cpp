@@ -52,7 +52,8 @@ std::string listOf(const std::vector<std::string>& names) {
 
 std::string suggestion(const std::string& word, const std::vector<std::string>& names) {
   const std::string guess = didYouMean(word, names);
-  return guess.empty() ? "; there are " + listOf(names) : guess;
+  if (!guess.empty()) return guess;
+  return (names.size() == 1 ? "; there is " : "; there are ") + (names.empty() ? "none" : listOf(names));
 }
 
 }  // namespace muelle

@@ -41,7 +41,8 @@ void connect(Model& model, int a, int b, const SpringMaterial& material) {
   ModelSpring spring;
   spring.a = a;
   spring.b = b;
-  spring.k = material.k;
+  spring.rod = material.rod;
+  if (!material.rod) spring.k = material.k;
   spring.L0 = (positionOf(model, a) - positionOf(model, b)).norm();
   spring.dRelative = material.dRelative;
   spring.dProjected = material.dProjected;
@@ -50,6 +51,7 @@ void connect(Model& model, int a, int b, const SpringMaterial& material) {
 
 SpringMaterial withStiffness(SpringMaterial material, double k) {
   material.k = k;
+  material.rod = false;
   return material;
 }
 

@@ -22,6 +22,7 @@ struct SpringMaterial {
   double k = 100.0;  ///< [N/m] of each spring
   double dRelative = 0.0;
   double dProjected = 0.0;  ///< [kg/s]
+  bool rod = false;         ///< of constant length: k does not count (ModelSpring::rod)
 };
 
 /// n nodes from one point to another, a spring between neighbours.
@@ -52,10 +53,10 @@ Part addRope(Model& model, const RopeShape& shape);
 struct GridShape {
   int nu = 2, nv = 2;  ///< at least 2 each
   Vec3 origin = Vec3::Zero();
-  Vec3 across = Vec3::UnitX();  ///< unit vector along i
-  Vec3 along = Vec3::UnitY();   ///< unit vector along j
-  double spacing = 0.1;         ///< [m]
-  SpringMaterial structural = {};
+  Vec3 across = Vec3::UnitX();     ///< unit vector along i
+  Vec3 along = Vec3::UnitY();      ///< unit vector along j
+  double spacing = 0.1;            ///< [m]
+  SpringMaterial structural = {};  ///< rods leave shear and bend what they are, springs
   double shearStiffness = 0.0;     ///< [N/m] of both diagonals of each cell; 0: none
   double bendStiffness = 0.0;      ///< [N/m] of springs over two cells in both directions; 0: none
   double dihedralStiffness = 0.0;  ///< [J/rad^2] of each edge between two triangles; 0: none (3D only)

@@ -1,6 +1,7 @@
 #include "engine/scene/object_reader.h"
 
 #include "base/text/count.h"
+#include "base/text/nearest.h"
 #include "base/text/printable.h"
 #include "engine/scene/connectivity.h"
 #include "engine/scene/mesh_file.h"
@@ -34,11 +35,12 @@ struct KindKeys {
 
 const std::map<std::string, KindKeys>& kinds() {
   static const std::map<std::string, KindKeys> all = {
-      {"chain", {{"nodes", "from", "to"}, {"taper", "angle_stiffness", "L0", "sag", "unilateral"}}},
-      {"rope", {{"mesh"}, {"scale", "weld", "angle_stiffness", "unilateral"}}},
+      {"chain", {{"nodes", "from", "to"}, {"taper", "angle_stiffness", "L0", "sag", "unilateral", "rod"}}},
+      {"rope", {{"mesh"}, {"scale", "weld", "angle_stiffness", "unilateral", "rod"}}},
       {"grid",
        {{"nodes", "spacing"},
-        {"origin", "across", "along", "shear_stiffness", "bend_stiffness", "dihedral_stiffness", "area_modulus"}}},
+        {"origin", "across", "along", "shear_stiffness", "bend_stiffness", "dihedral_stiffness", "area_modulus",
+         "rod"}}},
       {"box", {{"cells", "size"}, {"centre", "bulk_modulus"}}},
       {"shell", {{"mesh"}, {"scale", "weld"}}},
       {"lattice", {{"mesh", "spacing"}, {"scale", "weld", "ties"}}},
@@ -48,18 +50,26 @@ const std::map<std::string, KindKeys>& kinds() {
 
 void checkKeys(const TableReader& table, const std::string& kind) {
   Keys known = commonKeys;
-  Keys required = {"kind", "k"};
+  Keys required = {"kind"};
   const KindKeys& keys = kinds().at(kind);
   known.insert(known.end(), keys.required.begin(), keys.required.end());
   known.insert(known.end(), keys.optional.begin(), keys.optional.end());
   required.insert(required.end(), keys.required.begin(), keys.required.end());
+  const bool mayBeRods = std::ranges::find(keys.optional, "rod") != keys.optional.end();
+  if (!(mayBeRods && table.has("rod"))) required.emplace_back("k");
   table.checkKeys(known, required);
   table.oneKeyOf({"mass", "density"}, true);
   table.oneKeyOf({"damping_ratio", "projected_damping"}, false);
 }
 
 SpringMaterial readMaterial(const TableReader& table) {
-  return {table.positive("k"), table.notNegative("relative_damping", 0.0), table.notNegative("projected_damping", 0.0)};
+  SpringMaterial material;
+  material.rod = table.flag("rod", false);
+  if (material.rod && table.has("k")) table.fail("k", "a rod has no stiffness: leave k or rod out");
+  if (!material.rod) material.k = table.positive("k");
+  material.dRelative = table.notNegative("relative_damping", 0.0);
+  material.dProjected = table.notNegative("projected_damping", 0.0);
+  return material;
 }
 
 Part readChain(const TableReader& table, Model& model) {
@@ -134,11 +144,28 @@ std::string doubtsAbout(const SurfaceMesh& mesh, const Connectivity& found, cons
                      shared ? "; weld = true makes one node of those at the same place" : "");
 }
 
+/// The mesh files of a folder by name, in order.
+std::vector<std::string> meshesIn(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension == ".obj" || extension == ".off" || extension == ".ply") {
+      names.push_back(printableLine(entry.path().filename().string()));
+    }
+  }
+  std::ranges::sort(names);
+  constexpr std::size_t mostNames = 20;
+  if (names.size() > mostNames) names.resize(mostNames);
+  return names;
+}
+
 SurfaceMesh readMesh(const TableReader& table, const std::filesystem::path& folder, Scene& scene, MeshPart wanted) {
   const std::string name = table.text("mesh");
   const std::filesystem::path file = folder / name;  // an absolute name stays as it is
   if (!std::filesystem::is_regular_file(file)) {
-    table.fail("mesh", fmt::format("no file '{}' beside the scene", name));
+    table.fail("mesh",
+               fmt::format("no file '{}' beside the scene{}", printableLine(name), suggestion(name, meshesIn(folder))));
   }
   SurfaceMesh mesh = readMeshFile(file, wanted);
   if (table.flag("weld", false)) weld(mesh);

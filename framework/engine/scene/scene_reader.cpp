@@ -32,7 +32,7 @@ const Vec3& positionOf(const Model& model, int node) { return model.nodes[static
 /// `count` different nodes of the model under the key "nodes".
 std::vector<int> readNodes(const TableReader& table, const Model& model, int count) {
   if (model.nodes.empty()) table.failHere("the scene has no nodes; [[node]] and [[object]] make them");
-  std::vector<int> nodes = table.integers("nodes", count, 0, static_cast<int>(model.nodes.size()) - 1);
+  std::vector<int> nodes = readNumbers(table, count, static_cast<int>(model.nodes.size()), "the scene");
   std::vector<int> sorted = nodes;
   std::ranges::sort(sorted);
   if (std::ranges::adjacent_find(sorted) != sorted.end()) table.fail("nodes", "a node stands twice");
@@ -70,6 +70,7 @@ void readGravity(const TableReader& table, Model& model) {
 // --- nodes and springs by hand ---
 
 void readNode(const TableReader& table, Model& model) {
+  table.refuseOtherNames({{"mass", "m"}, {"position", "x"}, {"velocity", "v"}, {"fixed", "pinned"}});
   table.checkKeys({"x", "v", "m", "pinned", "drag"}, {"x"});
   ModelNode node;
   node.x = table.vector("x");
@@ -86,6 +87,7 @@ void requireMass(const TableReader& table, const ModelNode& node) {
 }
 
 void readSpring(const TableReader& table, Model& model) {
+  table.refuseOtherNames({{"stiffness", "k"}, {"rest_length", "L0"}, {"damping", "projected_damping"}});
   table.checkKeys(
       {"nodes", "k", "L0", "relative_damping", "projected_damping", "damping_ratio", "unilateral", "signed", "rod"},
       {"nodes"});
@@ -195,6 +197,7 @@ void readMotion(const TableReader& table, Scene& scene) {
 }
 
 void readForce(const TableReader& table, Scene& scene) {
+  table.refuseOtherNames({{"force", "F"}});
   table.checkKeys(with({"F", "during", "frequency"}, selectionKeys), {"F"});
   const Vec3 F = table.vector("F");
   const auto [from, to] = table.has("during") ? table.interval("during") : std::pair(0.0, forever);
@@ -216,6 +219,8 @@ void readProperty(const TableReader& table, Scene& scene) {
 void readObstacle(const TableReader& table, Model& model) {
   static const Keys material = {"name",      "shape",        "k",           "d", "mu", "velocity",
                                 "stop_time", "k_tangential", "d_tangential"};
+  table.refuseOtherNames(
+      {{"kind", "shape"}, {"type", "shape"}, {"stiffness", "k"}, {"friction", "mu"}, {"damping", "d"}});
   const std::string shape = table.choice("shape", {"plane", "sphere", "box"});
   Obstacle obstacle;
   if (shape == "plane") {
@@ -246,6 +251,8 @@ void readObstacle(const TableReader& table, Model& model) {
 // --- how it runs, and what is measured ---
 
 void readRun(const TableReader& table, Scene& scene) {
+  table.refuseOtherNames(
+      {{"integrator", "method"}, {"dt", "step"}, {"h", "step"}, {"time", "duration"}, {"locate_events", "events"}});
   table.checkKeys(
       {"method", "step", "tolerance", "duration", "output_interval", "largest_step", "events", "compensated"},
       {"method", "duration"});
@@ -325,7 +332,7 @@ Scene interpret(const TableReader& given, const std::filesystem::path& file) {
   // Nodes by hand come first, then those of the objects in the order of the file: that is the numbering.
   for (const TableReader& t : table.tables("node")) readNode(t, model);
   for (const TableReader& t : table.tables("object")) readObject(t, scene, file.parent_path());
-  if (model.nodes.empty()) table.failHere("the scene has no nodes; [[node]] and [[object]] make them");
+  if (model.nodes.empty()) table.failHere("has no nodes; [[node]] and [[object]] make them");
   for (const TableReader& t : table.tables("spring")) readSpring(t, model);
   for (const TableReader& t : table.tables("angle")) readAngle(t, model);
   for (const TableReader& t : table.tables("dihedral")) readDihedral(t, model);

@@ -1,10 +1,12 @@
 #include "engine/scene/selection.h"
 
+#include "base/text/count.h"
 #include "base/text/nearest.h"
 #include "base/text/printable.h"
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace muelle::engine {
@@ -101,6 +103,17 @@ int readAxis(const TableReader& table, const std::string& key) {
   return table.choice(key, axisNames(table.space()))[0] - 'x';
 }
 
+std::vector<int> readNumbers(const TableReader& table, int count, int available, const std::string& whose) {
+  using Limits = std::numeric_limits<int>;
+  std::vector<int> nodes = table.integers("nodes", count, Limits::min(), Limits::max());
+  for (const int node : nodes) {
+    if (node >= 0 && node < available) continue;
+    table.fail("nodes", fmt::format("there is no node {}; {} has {}, numbered from 0", node, whose,
+                                    countedInGroups(available, "node")));
+  }
+  return nodes;
+}
+
 std::vector<int> selectNodes(const TableReader& table, const Scene& scene, int most) {
   const auto [first, count] = chosenRange(table, scene);
   if (count == 0) table.failHere("the scene has no nodes yet");
@@ -108,7 +121,9 @@ std::vector<int> selectNodes(const TableReader& table, const Scene& scene, int m
   const std::vector<int> from = range(first, count);
   std::vector<int> nodes;
   if (key == "nodes") {
-    for (const int index : table.integers("nodes", 0, 0, count - 1)) nodes.push_back(first + index);
+    const std::string whose =
+        table.has("object") ? fmt::format("object '{}'", printableLine(table.text("object"))) : "the scene";
+    for (const int index : readNumbers(table, 0, count, whose)) nodes.push_back(first + index);
     std::ranges::sort(nodes);
     if (std::ranges::adjacent_find(nodes) != nodes.end()) table.fail("nodes", "a node stands twice");
   } else if (key == "within") {

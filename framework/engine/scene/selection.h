@@ -11,6 +11,10 @@ extern const TableReader::Keys selectionKeys;
 /// (0: any).
 std::vector<int> selectNodes(const TableReader& table, const Scene& scene, int most = 0);
 
+/// The numbers under the key "nodes", each below `available`: `count` of them, or any number where that is 0. `whose`
+/// nodes they are stands in the message: "the scene".
+std::vector<int> readNumbers(const TableReader& table, int count, int available, const std::string& whose);
+
 /// The component named by a key: 0, 1, 2 for x, y, z; only those that the scene has.
 int readAxis(const TableReader& table, const std::string& key);
 

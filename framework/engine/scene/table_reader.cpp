@@ -73,6 +73,12 @@ std::pair<Vec3, Vec3> TableReader::corners(const std::string& key) const {
   return {least, most};
 }
 
+void TableReader::refuseOtherNames(const std::vector<std::pair<std::string, std::string>>& otherAndOwn) const {
+  for (const auto& [other, own] : otherAndOwn) {
+    if (has(other)) fail(other, fmt::format("unknown; here it is '{}'", own));
+  }
+}
+
 std::vector<TableReader> TableReader::tables(const std::string& key) const {
   std::vector<TableReader> result;
   for (const TomlTable& one : TomlTable::tables(key)) result.push_back(TableReader(one, space_));

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace muelle::engine {
@@ -35,6 +36,9 @@ class TableReader : public TomlTable {
   std::pair<double, double> interval(const std::string& key) const;
   /// Two vectors [[..], [..]], the first below the second in every component.
   std::pair<Vec3, Vec3> corners(const std::string& key) const;
+
+  /// Refuses keys by a name that they had, or have elsewhere, naming the one that they have here.
+  void refuseOtherNames(const std::vector<std::pair<std::string, std::string>>& otherAndOwn) const;
 
   /// The tables of [[key]], in the order of the file, in the same space.
   std::vector<TableReader> tables(const std::string& key) const;

@@ -25,7 +25,7 @@ std::string nodeTable(const SceneAtRest& rest) {
 
 std::string springTable(const SceneAtRest& rest) {
   const Model& model = rest.system->model();
-  std::string text = "spring,a,b,k [N/m],L0 [m],length [m],tension [N]\n";
+  std::string text = "spring,node a,node b,k [N/m],L0 [m],length [m],tension [N]\n";
   for (std::size_t i = 0; i < rest.result.tensions.size(); ++i) {
     const ModelSpring& s = model.springs[i];
     const Vec3 d = rest.system->position(rest.result.state, s.a) - rest.system->position(rest.result.state, s.b);

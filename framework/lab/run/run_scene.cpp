@@ -3,6 +3,7 @@
 #include "base/text/count.h"
 #include "engine/integrators/catalogue.h"
 #include "engine/model/singular_starts.h"
+#include "engine/scene/selection.h"
 #include "lab/run/energy_balance.h"
 
 #include <fmt/format.h>
@@ -183,13 +184,16 @@ RunOptions optionsOf(const Scene& scene) {
   return options;
 }
 
-SceneRun runScene(const Scene& scene, const std::string& label) {
+SceneRun runScene(const Scene& scene, const std::string& label, double available) {
+  const Foresight foresight = foresee(scene);
+  requireMemory(scene, foresight, available);
   SceneRun run;
   run.system = build(scene.model);
   const std::unique_ptr<Integrator> method = makeMethod(scene.method);
   run.method = method->info();
   run.options = optionsOf(scene);
   run.options.label = label;
+  run.options.mostMemory = roomForOutputs(foresight, available);
   RunOptions options = run.options;
   options.probes = probesOf(scene, *run.system);
   run.result = simulate(*run.system, *method, run.system->initialState(), options);
@@ -198,11 +202,16 @@ SceneRun runScene(const Scene& scene, const std::string& label) {
   return run;
 }
 
+std::string axesOf(const Model& model) {
+  std::string axes;
+  for (const std::string& axis : axisNames({model.dimension, model.plane})) axes += axis;
+  return axes;
+}
+
 Trajectory trajectoryOf(const SceneRun& run) {
   const Trajectory& inside = run.result.trajectory;
   const Model& model = run.system->model();
-  const std::array<int, 3> axes =
-      model.dimension == 2 ? std::array<int, 3>{model.plane[0], model.plane[1], 0} : std::array<int, 3>{0, 1, 2};
+  const std::string axes = axesOf(model);
   Trajectory given;
   given.t = inside.t;
   given.tracks = inside.tracks;
@@ -214,9 +223,9 @@ Trajectory trajectoryOf(const SceneRun& run) {
     for (int node = 0; node < run.system->nodeCount(); ++node) {
       const Vec3 position = run.system->position(state, node);
       const Vec3 velocity = run.system->velocity(state, node);
-      for (int i = 0; i < model.dimension; ++i) {
-        x.push_back(position[axes[static_cast<std::size_t>(i)]]);
-        v.push_back(velocity[axes[static_cast<std::size_t>(i)]]);
+      for (const char axis : axes) {
+        x.push_back(position[axis - 'x']);
+        v.push_back(velocity[axis - 'x']);
       }
     }
   }

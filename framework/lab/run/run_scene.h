@@ -1,5 +1,6 @@
 #pragma once
 #include "engine/scene/scene.h"
+#include "lab/run/foresight.h"
 
 #include <algorithm>
 #include <memory>
@@ -61,12 +62,15 @@ struct SceneRun {
   std::optional<ErrorEstimate> error;
 };
 
-/// Builds and runs a scene as it stands (see applied()). `label` names the progress bar; empty: none.
-SceneRun runScene(const engine::Scene& scene, const std::string& label = {});
+/// Builds and runs a scene as it stands (see applied()). `label` names the progress bar; empty: none. Throws
+/// std::invalid_argument, before anything is built, when it needs more memory than is `available` [byte].
+SceneRun runScene(const engine::Scene& scene, const std::string& label = {}, double available = availableMemory());
 
 /// The run's trajectory in the scene's numbering of nodes, pinned and moved ones included: D columns a node, D the
 /// scene's dimension (node i of a 3D scene has x 3i, 3i+1, 3i+2). Inside, the unknowns are numbered otherwise.
 Trajectory trajectoryOf(const SceneRun& run);
+/// The letters of those columns: "x", the two of a plane's axes, or "xyz".
+std::string axesOf(const engine::Model& model);
 
 /// The summary that `muelle run` prints: method, steps, times, error, energy, work, warnings, events.
 std::string summaryOf(const engine::Scene& scene, const SceneRun& run);

@@ -1,11 +1,14 @@
 #include "lab/run/scene_figures.h"
 
 #include "base/text/printable.h"
+#include "lab/run/energy_balance.h"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <limits>
+#include <span>
 #include <string_view>
 
 namespace muelle::lab {
@@ -15,8 +18,9 @@ using namespace engine;
 namespace {
 
 constexpr std::size_t mostDrawnSprings = 4000;  // beyond that the surface alone, or the nodes
-constexpr std::size_t mostReferenceEdges = 100;
-constexpr std::size_t mostDrawnNodes = 30;  // of 1D scenes
+constexpr std::size_t mostBroadEdges = 100;     // beyond, hair lines: broad ones are a blot
+constexpr std::size_t mostDots = 120;           // beyond, nodes as dots hide the springs
+constexpr std::size_t mostDrawnNodes = 30;      // of 1D scenes
 
 /// A scene's own words, as far as a figure can show them: on one line, and not too long.
 std::string drawable(std::string_view text) { return cut(printableLine(text), longestFigureText); }
@@ -38,13 +42,84 @@ std::string axisLabel(const Scene& scene, int axis) {
   return fmt::format("{} [m]", "xyz"[static_cast<std::size_t>(axis)]);
 }
 
+/// How many outputs the axes are made for: all, or of a run that explodes those before its energy has changed by more
+/// than the scene's own scale; where something drives the scene, by more than a thousandth of where it ends. At least
+/// the first two.
+std::size_t rowsInPicture(const SceneRun& run) {
+  const std::vector<double>& energy = run.result.trajectory.track("total energy");
+  const auto changeOf = [&](double E) { return std::isfinite(E) ? std::abs(E - energy.front()) : 0.0; };
+  double limit = energyScale(*run.system);
+  if (energyFate(*run.system) == EnergyFate::Open) {
+    if (!run.result.failed()) return energy.size();
+    limit = 0.0;
+    for (const double E : energy) limit = std::max(limit, 1e-3 * changeOf(E));
+  }
+  const auto isBeyond = [&](double E) { return E - energy.front() > limit; };  // what is lost leaves no picture
+  const auto row = std::ranges::find_if(energy, isBeyond) - energy.begin();
+  return std::min(energy.size(), std::max<std::size_t>(2, static_cast<std::size_t>(row)));
+}
+
+/// What the curves of a panel reach along one axis in the outputs that the picture is made for; from 0 on where that
+/// is no range.
+class Reach {
+ public:
+  void include(std::span<const double> values) {
+    for (const double value : values) {
+      if (!std::isfinite(value)) continue;
+      low_ = std::min(low_, value);
+      high_ = std::max(high_, value);
+    }
+  }
+  bool isRange() const { return low() < high() && std::isfinite(high() - low()); }
+  double low() const { return low_ < high_ ? low_ : std::min(low_, 0.0); }
+  double high() const { return low_ < high_ ? high_ : std::max(high_, 0.0); }
+
+ private:
+  double low_ = std::numeric_limits<double>::infinity();
+  double high_ = -low_;
+};
+
+/// One panel over time, whose axis follows the outputs that the picture is made for.
+class TimePanel {
+ public:
+  TimePanel(Figure& figure, std::string label, const SceneRun& run)
+      : panel_(figure.panel(std::move(label))), t_(run.result.trajectory.t), rows_(rowsInPicture(run)) {}
+  ~TimePanel() {
+    if (rows_ < t_.size() && reach_.isRange()) panel_.expect(reach_.low(), reach_.high());
+  }
+  TimePanel(const TimePanel&) = delete;
+  TimePanel& operator=(const TimePanel&) = delete;
+
+  void line(std::string name, std::vector<double> values) {
+    reach_.include(std::span(values).first(std::min(rows_, values.size())));
+    panel_.line(std::move(name), t_, std::move(values));
+  }
+  void reference(std::string name, std::vector<double> values) {
+    panel_.reference(std::move(name), t_, std::move(values));
+  }
+
+ private:
+  Figure::PanelBuilder panel_;
+  const std::vector<double>& t_;
+  std::size_t rows_;
+  Reach reach_;
+};
+
+/// Heights have no zero of their own: the potential energy is told from its least, so that it is drawn beside the
+/// kinetic energy and not far off.
 Figure energyFigure(const Scene& scene, const SceneRun& run) {
   const Trajectory& t = run.result.trajectory;
+  const std::vector<double>& potential = t.track("potential energy");
+  const double least = *std::ranges::min_element(std::span(potential).first(rowsInPicture(run)));
+  const auto fromLeast = [least](std::vector<double> values) {
+    for (double& value : values) value -= least;
+    return values;
+  };
   Figure figure(fileStem(scene.name) + "_energy", drawable(scene.title), "time [s]");
-  figure.panel("energy [J]")
-      .line("kinetic", t.t, t.track("kinetic energy"))
-      .line("potential", t.t, t.track("potential energy"))
-      .line("total", t.t, t.track("total energy"));
+  TimePanel panel(figure, "energy [J], the potential one from its least", run);
+  panel.line("kinetic", t.track("kinetic energy"));
+  panel.line("potential", fromLeast(potential));
+  panel.line("total", fromLeast(t.track("total energy")));
   return figure;
 }
 
@@ -54,7 +129,8 @@ Figure outputsFigure(const Scene& scene, const SceneRun& run) {
   for (const SceneOutput& output : scene.outputs) {
     if (output.kind == SceneOutput::Kind::Path) continue;
     const char* unit = output.kind == SceneOutput::Kind::Velocity ? "m/s" : "m";
-    figure.panel(fmt::format("{} [{}]", drawable(output.name), unit)).line("", t.t, t.track(output.name));
+    TimePanel panel(figure, fmt::format("{} [{}]", drawable(output.name), unit), run);
+    panel.line("", t.track(output.name));
   }
   return figure;
 }
@@ -83,6 +159,17 @@ Pieces drawn(const Scene& scene, const ModelSystem& system, const State& state,
   return pieces;
 }
 
+/// Where the nodes are.
+Pieces dots(const Scene& scene, const ModelSystem& system, const State& state) {
+  Pieces points;
+  for (int node = 0; node < system.nodeCount(); ++node) {
+    const Vec3 x = system.position(state, node);
+    points.x.push_back(x[scene.view[0]]);
+    points.y.push_back(x[scene.view[1]]);
+  }
+  return points;
+}
+
 /// The springs, or the edges of the surfaces when they are too many to see.
 std::vector<std::array<int, 2>> drawnEdges(const Scene& scene) {
   std::vector<std::array<int, 2>> edges;
@@ -97,16 +184,12 @@ std::vector<std::array<int, 2>> drawnEdges(const Scene& scene) {
   return edges;
 }
 
-/// The outlines of the obstacles at time t, where the view shows them.
-Pieces obstacleOutlines(const Scene& scene, double t, const Pieces& about) {
+/// The outlines of the obstacles at time t, where the view shows them; `about` is what the picture shows across.
+Pieces obstacleOutlines(const Scene& scene, double t, const Reach& about) {
   Pieces pieces;
-  double low = 0.0;
-  double high = 0.0;
-  for (std::size_t i = 0; i < about.x.size(); ++i) {
-    if (about.x[i] != about.x[i]) continue;
-    low = i == 0 ? about.x[i] : std::min(low, about.x[i]);
-    high = i == 0 ? about.x[i] : std::max(high, about.x[i]);
-  }
+  const double margin = about.isRange() ? 0.1 * (about.high() - about.low()) : 0.5;  // so that a ground is seen
+  const double low = about.low() - margin;
+  const double high = about.high() + margin;
   const auto [across, up] = scene.view;
   for (const Obstacle& obstacle : scene.model.obstacles) {
     const Vec3 c = obstacle.centre + obstacle.velocity * std::min(t, obstacle.stopTime);
@@ -134,25 +217,54 @@ Pieces obstacleOutlines(const Scene& scene, double t, const Pieces& about) {
   return pieces;
 }
 
+/// How far a picture in the plane reaches.
+struct PlaneReach {
+  Reach x, y;
+
+  void include(const Pieces& pieces) {
+    x.include(pieces.x);
+    y.include(pieces.y);
+  }
+  void use(Figure::PanelBuilder& panel) const {
+    if (x.isRange()) panel.expectX(x.low(), x.high());
+    if (y.isRange()) panel.expect(y.low(), y.high());
+  }
+};
+
 Figure shapeFigure(const Scene& scene, const SceneRun& run) {
   const auto edges = drawnEdges(scene);
+  const std::size_t rows = run.result.trajectory.t.size();
   const State first = stateAt(run.result, 0);
-  const State last = stateAt(run.result, run.result.trajectory.t.size() - 1);
+  const State last = stateAt(run.result, rows - 1);
   const Pieces start = drawn(scene, *run.system, first, edges);
   const Pieces end = drawn(scene, *run.system, last, edges);
   Figure figure(fileStem(scene.name) + "_shape", drawable(scene.title), axisLabel(scene, scene.view[0]));
   figure.equalAxes();
   auto panel = figure.panel(axisLabel(scene, scene.view[1]));
-  // The pen of references is broad: right for a few springs, a blot for a mesh.
-  if (edges.size() <= mostReferenceEdges) {
-    panel.reference("at the start", start.x, start.y);
+  const std::string endName = fmt::format("at {:.3g} s", last.t);
+  if (edges.size() <= mostBroadEdges) {
+    panel.reference(edges.empty() ? "" : "at the start", start.x, start.y);
+    panel.line(edges.empty() ? "" : endName, end.x, end.y).colour(0);
   } else {
-    panel.line("at the start", start.x, start.y);
+    panel.structure("at the start", start.x, start.y);
+    panel.mesh(endName, end.x, end.y).colour(0);
   }
-  panel.line(fmt::format("at {:.3g} s", last.t), end.x, end.y);
+  const Pieces startDots = dots(scene, *run.system, first);
+  const Pieces endDots = dots(scene, *run.system, last);
+  if (scene.model.nodes.size() <= mostDots || edges.empty()) {
+    if (edges.empty()) panel.points("at the start", startDots.x, startDots.y).colour(1);
+    panel.points(edges.empty() ? endName : "nodes", endDots.x, endDots.y).colour(0);
+  }
+  PlaneReach seen;
+  seen.include(startDots);
+  if (rowsInPicture(run) == rows) {
+    seen.include(endDots);
+  } else {
+    seen.use(panel);
+  }
   if (!scene.model.obstacles.empty()) {
-    const Pieces outlines = obstacleOutlines(scene, last.t, end);
-    panel.line("obstacles", outlines.x, outlines.y);
+    const Pieces outlines = obstacleOutlines(scene, last.t, seen.x);
+    panel.line("obstacles", outlines.x, outlines.y).colour(2);
   }
   return figure;
 }
@@ -161,14 +273,21 @@ Figure shapeFigure(const Scene& scene, const SceneRun& run) {
 Figure nodesFigure(const Scene& scene, const SceneRun& run) {
   const Trajectory& t = run.result.trajectory;
   Figure figure(fileStem(scene.name) + "_shape", drawable(scene.title), "time [s]");
-  auto panel = figure.panel("position [m]");
+  TimePanel panel(figure, "position [m]", run);
   const std::size_t count = std::min(scene.model.nodes.size(), mostDrawnNodes);
   for (std::size_t node = 0; node < count; ++node) {
     std::vector<double> x;
     for (std::size_t row = 0; row < t.t.size(); ++row) {
       x.push_back(run.system->position(stateAt(run.result, row), static_cast<int>(node))[0]);
     }
-    panel.line(count <= 6 ? fmt::format("node {}", node) : "", t.t, std::move(x));
+    panel.line(count <= 6 ? fmt::format("node {}", node) : "", std::move(x));
+  }
+  for (const Obstacle& obstacle : scene.model.obstacles) {
+    if (obstacle.kind != Obstacle::Kind::Plane) continue;
+    std::vector<double> x;
+    for (const double time : t.t)
+      x.push_back(obstacle.centre[0] + obstacle.velocity[0] * std::min(time, obstacle.stopTime));
+    panel.reference(drawable(obstacle.name), std::move(x));
   }
   return figure;
 }
@@ -178,6 +297,9 @@ Figure pathFigure(const Scene& scene, const SceneRun& run) {
   Figure figure(fileStem(scene.name) + "_path", drawable(scene.title), axisLabel(scene, scene.view[0]));
   figure.equalAxes();
   auto panel = figure.panel(axisLabel(scene, scene.view[1]));
+  const std::size_t rows = rowsInPicture(run);
+  PlaneReach seen;
+  Pieces starts;
   for (const SceneOutput& output : scene.outputs) {
     if (output.kind != SceneOutput::Kind::Path) continue;
     std::vector<double> x, y;
@@ -186,8 +308,14 @@ Figure pathFigure(const Scene& scene, const SceneRun& run) {
       x.push_back(at[scene.view[0]]);
       y.push_back(at[scene.view[1]]);
     }
+    starts.x.push_back(x.front());
+    starts.y.push_back(y.front());
+    seen.x.include(std::span(x).first(rows));
+    seen.y.include(std::span(y).first(rows));
     panel.line(drawable(output.name), std::move(x), std::move(y));
   }
+  panel.points("start", starts.x, starts.y);
+  if (rows < t.t.size()) seen.use(panel);
   return figure;
 }
 

@@ -4,6 +4,7 @@
 #include "lab/run/scene_figures.h"
 #include "support/scene_text.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <cmath>
 #include <numbers>
@@ -198,6 +199,7 @@ TEST(Table, HasTheNodesAsTheSceneNumbersThem) {
   overrides.duration = 0.02;
   const SceneRun result = runScene(applied(scene, overrides));
   const Trajectory table = trajectoryOf(result);
+  EXPECT_EQ(axesOf(scene.model), "xz");
   ASSERT_EQ(table.x.front().size(), 2u * 21u);
   for (int node = 0; node < 21; ++node) {
     EXPECT_EQ(table.x.front()[static_cast<std::size_t>(2 * node)],
@@ -208,6 +210,38 @@ TEST(Table, HasTheNodesAsTheSceneNumbersThem) {
   EXPECT_EQ(table.x.back().front(), 0.0);  // a hook
 }
 
+TEST(Rods, OfAGeneratorAreThoseOfSpringTablesBitForBit) {
+  const std::string begin = "title = 'A'\nshows = 'b'\nslide = 'c'\ndimension = 2\ngravity = 9.81\n";
+  const std::string end = "[run]\nmethod = 'rattle'\nstep = 0.01\nduration = 1.0\n";
+  const std::string chain =
+      "[[object]]\nkind = 'chain'\nnodes = 5\nfrom = [0, 0]\nto = [4, 0]\nrod = true\nmass = 5\n"
+      "[[pin]]\nnodes = [0]\n";
+  std::string tables;
+  for (int i = 0; i < 5; ++i) {
+    tables += fmt::format("[[node]]\nx = [{}, 0]\nm = 1\npinned = {}\n", i, i == 0 ? "true" : "false");
+  }
+  for (int i = 0; i < 4; ++i) tables += fmt::format("[[spring]]\nnodes = [{}, {}]\nrod = true\n", i, i + 1);
+  const SceneRun generated = runScene(sceneFrom(begin + chain + end));
+  const SceneRun byHand = runScene(sceneFrom(begin + tables + end));
+  ASSERT_FALSE(generated.result.failed());
+  EXPECT_LT(generated.result.last.x.back(), -0.5) << "it falls";
+  EXPECT_EQ(generated.result.trajectory.x, byHand.result.trajectory.x);
+  EXPECT_EQ(generated.result.trajectory.v, byHand.result.trajectory.v);
+}
+
+TEST(Rods, OfAGridAreRedundantAndNamed) {
+  const std::string grid =
+      "title = 'A'\nshows = 'b'\nslide = 'c'\ndimension = 2\n[[object]]\nkind = 'grid'\nnodes = [2, 2]\n"
+      "spacing = 1\nrod = true\nmass = 1\n[[pin]]\nnodes = [0, 1]\n[run]\nmethod = 'rattle'\nstep = 0.01\n"
+      "duration = 1.0\n";
+  try {
+    runScene(sceneFrom(grid));
+    FAIL() << "both ends of the first rod are pinned";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("redundant rod"));
+  }
+}
+
 TEST(Figures, AreThoseOfTheOutputs) {
   const Scene scene = readScene(MUELLE_SCENES "/elastic_pendulum.toml");
   const std::vector<Figure> figures = figuresOf(scene, runScene(scene));
@@ -215,6 +249,49 @@ TEST(Figures, AreThoseOfTheOutputs) {
   for (const Figure& figure : figures) names.push_back(figure.id());
   EXPECT_THAT(names, ::testing::ElementsAre("elastic_pendulum_energy", "elastic_pendulum_outputs",
                                             "elastic_pendulum_shape", "elastic_pendulum_path"));
+}
+
+TEST(Figures, TellThePotentialEnergyFromItsLeast) {
+  const Scene scene = readScene(MUELLE_SCENES "/elastic_pendulum.toml");  // it hangs 10 J below its hook
+  const Figure energy = figuresOf(scene, runScene(scene)).front();
+  const std::vector<Series>& curves = energy.panels().front().series;
+  ASSERT_EQ(curves[1].name, "potential");
+  EXPECT_EQ(*std::ranges::min_element(curves[1].y), 0.0);
+  for (std::size_t i = 0; i < curves[0].y.size(); ++i) {
+    // Three sums of numbers of about 10 J, each rounded to 2e-15 J.
+    EXPECT_NEAR(curves[0].y[i] + curves[1].y[i], curves[2].y[i], 1e-14);
+  }
+  EXPECT_FALSE(energy.panels().front().yExpected) << "nothing to cut in a run that went well";
+}
+
+TEST(Figures, MarkNodesAndTheStartsOfPaths) {
+  const Scene scene = readScene(MUELLE_SCENES "/elastic_pendulum.toml");
+  const std::vector<Figure> figures = figuresOf(scene, runScene(scene));
+  const auto& shape = figures[2].panels().front().series;
+  const auto nodes = std::ranges::find(shape, "nodes", &Series::name);
+  ASSERT_NE(nodes, shape.end());
+  EXPECT_EQ(nodes->x.size(), scene.model.nodes.size());
+  const auto& path = figures[3].panels().front().series;
+  const auto start = std::ranges::find(path, "start", &Series::name);
+  ASSERT_NE(start, path.end());
+  EXPECT_EQ(start->x, std::vector<double>{path.front().x.front()});
+  EXPECT_EQ(start->y, std::vector<double>{path.front().y.front()});
+}
+
+TEST(Figures, ShowWhatCameBeforeAnExplosion) {
+  RunOverrides overrides;
+  overrides.method = "explicit_euler";
+  overrides.step = 0.2;
+  overrides.duration = 20.0;
+  const Scene scene = applied(oscillator(), overrides);
+  const SceneRun run = runScene(scene);
+  ASSERT_TRUE(run.result.failed());
+  for (const Figure& figure : figuresOf(scene, run)) {
+    const Panel& panel = figure.panels().front();
+    ASSERT_TRUE(panel.yExpected) << figure.id();
+    // Energies end at 1e9 J, positions at 1e4 m.
+    EXPECT_LT(panel.yExpected->second, 200.0) << figure.id();
+  }
 }
 
 TEST(Figures, TakeATitleInAnyAlphabet) {

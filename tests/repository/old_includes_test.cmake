@@ -1,0 +1,28 @@
+# cmake -DROOT=... -DFOLDER=... -P old_includes_test.cmake: an old include is found, wherever it stands, and is told with
+# its file and what has taken its place; every old name is gone and every new one is there.
+cmake_minimum_required(VERSION 3.22)
+include(${ROOT}/framework/cmake/OldIncludes.cmake)
+
+file(WRITE ${FOLDER}/good.cpp "#include \"harness/march.h\"\n// once harness/simulate.h\n")
+file(WRITE ${FOLDER}/tests/old.cpp "#include <vector>\n  #  include \"harness/simulate.h\"\n")
+muelle_old_include(found ${FOLDER} ${FOLDER}/good.cpp)
+if(found)
+  message(SEND_ERROR "a good file is refused: ${found}")
+endif()
+muelle_old_include(found ${FOLDER} ${FOLDER}/good.cpp ${FOLDER}/tests/old.cpp)
+set(told "tests/old.cpp: #include \"harness/simulate.h\" is now harness/march.h (march() of step functions)")
+if(NOT found STREQUAL told)
+  message(SEND_ERROR "told: ${found}\nexpected: ${told}")
+endif()
+
+foreach(entry IN LISTS MUELLE_OLD_INCLUDES)
+  if(NOT entry MATCHES "^([a-z_/]+\\.h)\\|([a-z_/]+\\.h)( \\(.*\\))?$")
+    message(SEND_ERROR "not OLD|NEW (words): ${entry}")
+  endif()
+  if(EXISTS ${ROOT}/framework/${CMAKE_MATCH_1})
+    message(SEND_ERROR "${CMAKE_MATCH_1} is no old name: it is there")
+  endif()
+  if(NOT EXISTS ${ROOT}/framework/${CMAKE_MATCH_2})
+    message(SEND_ERROR "${CMAKE_MATCH_1} leads to ${CMAKE_MATCH_2}, which is not there")
+  endif()
+endforeach()
