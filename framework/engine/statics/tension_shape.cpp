@@ -1,6 +1,7 @@
 #include "engine/statics/tension_shape.h"
 
 #include "engine/forces/length.h"
+#include "engine/model/axes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,9 +30,7 @@ std::unique_ptr<ModelSystem> withoutSprings(const ModelSystem& system) {
 /// The springs of a model that have a free node, the fixed ends where they are in `state`.
 std::vector<TensionSpring> springsOf(const ModelSystem& system, const State& state) {
   const Model& model = system.model();
-  const std::vector<int> axes = system.dimension() == 1   ? std::vector<int>{0}
-                                : system.dimension() == 2 ? std::vector<int>{model.plane[0], model.plane[1]}
-                                                          : std::vector<int>{0, 1, 2};
+  const std::vector<int> axes = axesOf(model);
   const auto compact = [&](int node) {
     const Vec3 full = system.position(state, node);
     Vec3 own = Vec3::Zero();
