@@ -8,14 +8,7 @@ namespace muelle::plots {
 
 /// What a method does to the energy of an undamped elastic pendulum (hard case H04) over a hundred seconds.
 Figure energy_drift() {
-  engine::Model model;
-  model.dimension = 2;
-  model.gravity = {0.0, 0.0, -9.81};
-  model.nodes.resize(2);
-  model.nodes[0].pinned = true;
-  model.nodes[1].x = {0.3, 0.0, -1.0};
-  model.springs.push_back({.a = 1, .b = 0, .k = 100.0, .L0 = 1.0});
-  const auto system = engine::build(model);
+  const auto system = engine::build(elasticPendulum());
   const double E0 = system->totalEnergy(system->initialState());
   // What can swing: the energy above that of hanging at rest, k s^2 / 2 - m g (L0 + s) with s = m g / k.
   const double rest = -9.81 - 0.5 * 9.81 * 9.81 / 100.0;
