@@ -42,6 +42,17 @@ engine::Model oscillator(double m, double k, double x0, double d) {
   return model;
 }
 
+engine::Model elasticPendulum() {
+  engine::Model model;
+  model.dimension = 2;
+  model.gravity = {0.0, 0.0, -9.81};
+  model.nodes.resize(2);
+  model.nodes[0].pinned = true;
+  model.nodes[1].x = {0.3, 0.0, -1.0};
+  model.springs.push_back({.a = 1, .b = 0, .k = 100.0, .L0 = 1.0});
+  return model;
+}
+
 engine::RunResult run(const engine::ModelSystem& system, std::string_view method, double h, double duration,
                       double outputInterval) {
   engine::RunOptions options;

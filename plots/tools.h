@@ -20,6 +20,9 @@ std::string asPower(double value);
 /// A node of mass m [kg] in 1D at x0 [m], on a spring k [N/m] of rest length 0 to the origin, with node drag d [kg/s].
 engine::Model oscillator(double m, double k, double x0, double d = 0.0);
 
+/// Hard case H04, regular: an elastic pendulum in the x-z plane, k = 100 N/m and 1 kg, released at (0.3, -1) m.
+engine::Model elasticPendulum();
+
 /// Runs a built model from its initial state, without the warnings' pilot runs. A step h [s] is fixed.
 engine::RunResult run(const engine::ModelSystem& system, std::string_view method, double h, double duration,
                       double outputInterval = 0.0);

@@ -11,17 +11,6 @@ namespace {
 
 constexpr double h = 0.01, duration = 100.0, most = 1e3;
 
-engine::Model pendulum() {
-  engine::Model model;
-  model.dimension = 2;
-  model.gravity = {0.0, 0.0, -9.81};
-  model.nodes.resize(2);
-  model.nodes[0].pinned = true;
-  model.nodes[1].x = {0.3, 0.0, -1.0};
-  model.springs.push_back({.a = 1, .b = 0, .k = 100.0, .L0 = 1.0});
-  return model;
-}
-
 struct Drift {
   std::vector<double> t, error;
 };
@@ -64,7 +53,7 @@ void addDrift(Figure::PanelBuilder& panel, const engine::ModelSystem& system, co
 
 /// What a method does to the energy of an undamped elastic pendulum (hard case H04) over a hundred seconds.
 Figure energy_drift() {
-  const auto system = engine::build(pendulum());
+  const auto system = engine::build(elasticPendulum());
   Figure figure("energy_drift", "Energy drifts with Euler and Runge-Kutta, stays in a band with symplectic methods",
                 "time [s]");
   figure.slide();

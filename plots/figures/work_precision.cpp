@@ -9,18 +9,6 @@ namespace muelle::plots {
 
 namespace {
 
-/// Hard case H04, regular: an elastic pendulum for 10 s.
-engine::Model pendulum() {
-  engine::Model model;
-  model.dimension = 2;
-  model.gravity = {0.0, 0.0, -9.81};
-  model.nodes.resize(2);
-  model.nodes[0].pinned = true;
-  model.nodes[1].x = {0.3, 0.0, -1.0};
-  model.springs.push_back({.a = 1, .b = 0, .k = 100.0, .L0 = 1.0});
-  return model;
-}
-
 constexpr double duration = 10.0;
 
 engine::RunResult adaptiveRun(const engine::ModelSystem& system, const std::string& id, double tolerance) {
@@ -95,7 +83,7 @@ std::vector<Points> sweepAll(const engine::ModelSystem& system, const Vec3& exac
 /// reference comes from two methods of high order at tight tolerance, whose difference is its error; what is shown is
 /// at least a hundred times larger.
 Figure work_precision() {
-  const auto system = engine::build(pendulum());
+  const auto system = engine::build(elasticPendulum());
   const Vec3 exact = system->position(adaptiveRun(*system, "nystrom12", 1e-15).last, 1);
   const double doubt = (system->position(adaptiveRun(*system, "dop853", 1e-14).last, 1) - exact).norm();
   const double smallest = std::max(100.0 * doubt, 1e-12);

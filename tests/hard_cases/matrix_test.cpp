@@ -1,12 +1,12 @@
 /// \file
 /// The matrix of the hard cases: its predictions are theory, its verdicts cannot be talked into passing.
 
-#include "lab/hard_cases/matrix.h"
 #include "base/file.h"
 #include "engine/integrators/catalogue.h"
 #include "lab/hard_cases/million_periods.h"
 #include "lab/hard_cases/models.h"
 #include "lab/hard_cases/references.h"
+#include "lab/hard_cases/report.h"
 #include "lab/hard_cases/sensitivity.h"
 
 #include <gtest/gtest.h>

@@ -6,8 +6,8 @@
 #include "base/file.h"
 #include "base/progress_bar.h"
 #include "figures/write.h"
-#include "lab/hard_cases/matrix.h"
 #include "lab/hard_cases/million_periods.h"
+#include "lab/hard_cases/report.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

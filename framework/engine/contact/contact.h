@@ -1,6 +1,7 @@
 #pragma once
 #include "engine/contact/box.h"
-#include "engine/contact/friction.h"
+#include "engine/contact/friction_memory.h"
+#include "engine/contact/normal_law.h"
 #include "engine/contact/plane.h"
 #include "engine/contact/sphere.h"
 #include "engine/forces/force_batch.h"
@@ -90,15 +91,6 @@ class Contact final : public ForceBatch {
   double sweptBound(const Configuration& at, const double* a, double h) const override;
 
  private:
-  /// One node against the obstacle.
-  struct Meeting {
-    Touch<D> touch;
-    Vector r = Vector::Zero();  ///< relative position
-    Vector w = Vector::Zero();  ///< relative velocity
-    double N = 0.0;             ///< normal force as if closed
-    bool acts = false;
-  };
-
   int nodes() const { return static_cast<int>(users_.size()); }
   bool hasFriction() const { return D > 1 && obstacle_.slider.mu > 0.0; }
   int guardsPerNode() const { return hasFriction() ? 2 : 1; }
@@ -108,20 +100,17 @@ class Contact final : public ForceBatch {
     return z + zOffset_ + 1 + node * stride_;
   }
   static constexpr int faceAt = 1;
-  static constexpr int gripAt = Shape::hasFaces ? 2 : 1;
-  static constexpr int anchorAt = gripAt + 1;
+  static constexpr int frictionAt = Shape::hasFaces ? 2 : 1;
 
   bool stopped(const Configuration& at) const;
   bool isTouched(const Configuration& at) const;
   Vector relativePosition(int node, const Configuration& at) const;
-  Meeting meet(int node, const Configuration& at) const;
-  double normalForce(const Meeting& m, double mode) const;
-  double stretchOf(double mode, double limit) const;
-  Slider<D> sliderOf(const Meeting& m, const double* mine, double N) const;
-  double guard(const Meeting& m) const;
-  double modeAfter(double old, const Meeting& m) const;
-  void beginFriction(int node, const Meeting& m, const Vector& along, double N, double* mine) const;
-  void commitFriction(int node, const Meeting& m, double* mine) const;
+  Meeting<D> meet(int node, const Configuration& at) const;
+  NormalLaw<D> law() const { return {obstacle_.k, obstacle_.d}; }
+  template <class Value>
+  FrictionMemory<D, Value> frictionOf(Value* mine) const {
+    return {obstacle_.slider, *mine, mine + frictionAt};
+  }
 
   ObstacleData<D> obstacle_;
   Shape shape_;

@@ -8,6 +8,7 @@
 #include "engine/forces/property.h"
 #include "engine/forces/spring.h"
 #include "engine/forces/volume.h"
+#include "engine/model/axes.h"
 #include "engine/model/damping.h"
 #include "engine/model/mass_spring_system.h"
 #include "engine/model/numbering.h"
@@ -19,12 +20,6 @@
 namespace muelle::engine {
 
 namespace {
-
-std::vector<int> axesOf(const Model& model) {
-  if (model.dimension == 1) return {0};
-  if (model.dimension == 2) return {model.plane[0], model.plane[1]};
-  return {0, 1, 2};
-}
 
 /// Pairs of free nodes that share an element, in the user's numbers.
 std::vector<std::pair<int, int>> couplings(const Model& model) {

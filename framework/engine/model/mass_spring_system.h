@@ -18,7 +18,9 @@ struct Numbering {
 };
 
 /// The one system that build() makes: batches of forces over arrays of all nodes. The dimension is a number here, and
-/// a template parameter in the batches alone.
+/// a template parameter in the batches alone. Its capabilities stand in a source each: forces and energy in
+/// mass_spring_system.cpp, beside it ..._nodes, ..._matrix, ..._constraints, ..._switching and ..._quantities (what
+/// a state has of energy and momentum).
 class MassSpringSystem final : public ModelSystem,
                                private Potential,
                                private Drag,
@@ -95,12 +97,19 @@ class MassSpringSystem final : public ModelSystem,
   struct Arrays {
     std::vector<double> x, v, f;
   };
+  /// Where a node's component stands in an array over all unknowns, by its built number.
+  std::size_t place(int node, int component) const {
+    return static_cast<std::size_t>(dimension_) * static_cast<std::size_t>(node) + static_cast<std::size_t>(component);
+  }
   Configuration gather(double t, In x, In v, In z, Arrays& arrays) const;
   void setFixed(double t, In z, Arrays& arrays) const;
+  void placeFixedNodes();
   std::vector<Rod> rodsOfModel() const;
+  void countBatches();
   double* start(Out f) const;
   void finish(Out f) const;
   void bind() const;
+  void assembleLowRank(double cK, LowRank& lowRank) const;
   bool balanceFriction(const Configuration& at, State& state) const;
   Vec3 component(const State& state, int node, bool velocity) const;
 

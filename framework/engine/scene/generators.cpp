@@ -1,6 +1,7 @@
 #include "engine/scene/generators.h"
 
 #include "base/text/count.h"
+#include "engine/model/axes.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -55,7 +56,7 @@ SpringMaterial withStiffness(SpringMaterial material, double k) {
   return material;
 }
 
-Vec3 up(const Model& model) { return Vec3::Unit(model.dimension == 3 ? 2 : model.dimension == 2 ? model.plane[1] : 0); }
+Vec3 up(const Model& model) { return Vec3::Unit(upAxisOf(model)); }
 
 void requireSpace(const Model& model, const char* what) {
   if (model.dimension != 3) throw std::invalid_argument(fmt::format("{} needs a scene of dimension 3", what));

@@ -7,6 +7,7 @@
 #include "base/text/nearest.h"
 #include "base/text/printable.h"
 #include "engine/integrators/catalogue.h"
+#include "engine/model/axes.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -63,8 +64,7 @@ Space readSpace(const TableReader& table, Model& model) {
 /// g >= 0 pulls down: along -z in space, against the second axis in a plane, along -x in 1D.
 void readGravity(const TableReader& table, Model& model) {
   const double g = table.notNegative("gravity", 0.0);
-  const int up = model.dimension == 3 ? 2 : model.dimension == 2 ? model.plane[1] : 0;
-  model.gravity[up] = -g;
+  model.gravity[upAxisOf(model)] = -g;
 }
 
 // --- nodes and springs by hand ---
@@ -227,7 +227,7 @@ void readObstacle(const TableReader& table, Model& model) {
     table.checkKeys(with(material, {"point", "normal"}), {"k", "point"});
     obstacle.kind = Obstacle::Kind::Plane;
     obstacle.centre = table.vector("point");
-    obstacle.normal = Vec3::Unit(model.dimension == 3 ? 2 : model.dimension == 2 ? model.plane[1] : 0);
+    obstacle.normal = Vec3::Unit(upAxisOf(model));
     if (table.has("normal")) obstacle.normal = table.direction("normal");
   } else if (shape == "sphere") {
     table.checkKeys(with(material, {"centre", "radius"}), {"k", "centre", "radius"});

@@ -1,12 +1,12 @@
 #include "engine/solve/linear_solver.h"
 
 #include "engine/solve/dense.h"
+#include "engine/solve/sparse_ldlt.h"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <Eigen/LU>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
 #include <limits>
 #include <vector>
@@ -83,7 +83,7 @@ struct LinearSolver::Parts {
   const SystemMatrix* J = nullptr;
   double norm = 0.0;
   Vector diagonal;
-  Eigen::SimplicialLDLT<Sparse> ldlt;
+  SparseLdlt ldlt{SparseLdlt::Order::LeastFill};
   Eigen::SparseLU<Sparse> lu;
   Pattern ldltPattern, luPattern;
   Matrix U, AinvU;  // the columns of the low-rank part that count, and A^-1 of them
@@ -104,17 +104,15 @@ struct LinearSolver::Parts {
 
   bool factoriseLDLT(const Sparse& A, Factorisation& result) {
     if (!ldltPattern.fits(A)) {
-      ldlt.analyzePattern(A);
+      ldlt.analyse(A);
       ldltPattern.keep(A);
     }
-    ldlt.factorize(A);
-    const Vector& pivots = ldlt.vectorD();
-    if (ldlt.info() != Eigen::Success || !pivots.allFinite()) {
-      // An exact zero stops Eigen; the pivots behind it are unknown.
+    if (!ldlt.factorise(A)) {
+      // How many more vanish is not known.
       result.vanishing = 1;
       return false;
     }
-    countPivots(pivots, ldlt.permutationP() * columnSizes(A), result);
+    countPivots(ldlt.pivots(), ldlt.inPivotOrder(columnSizes(A)), result);
     kind = Kind::LDLT;
     return result.vanishing == 0;
   }
@@ -139,7 +137,7 @@ struct LinearSolver::Parts {
         x = b.cwiseQuotient(diagonal);
         break;
       case Kind::LDLT:
-        x = ldlt.solve(b);
+        ldlt.solve(b, x);
         break;
       case Kind::LU:
         x = lu.solve(b);

@@ -7,8 +7,8 @@
 
 namespace muelle::engine {
 
-/// What a factorisation found. Eigen's SimplicialLDLT reports success on indefinite matrices and on NaN, so nothing
-/// here rests on its word: pivots and finiteness are looked at.
+/// What a factorisation found. Eigen's LDL^T reports success on indefinite matrices and on NaN, so nothing here rests
+/// on its word: pivots and finiteness are looked at.
 struct Factorisation {
   bool usable = false;    ///< solve() may be called
   bool definite = false;  ///< symmetric and positive definite, low-rank part included

@@ -2,6 +2,7 @@
 
 #include "base/text/count.h"
 #include "engine/solve/dense.h"
+#include "engine/solve/spans.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -21,9 +22,6 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double nearSolution = 1e-5;
 /// Motion that dies out ends below the normal range of doubles, where no digit is left to compare [N s].
 constexpr double vanished = 1e-290;
-
-In in(const Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
-Out out(Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 
 }  // namespace
 
@@ -49,7 +47,7 @@ void Newton::evaluate(const Vector& w, Point& point) {
     s.force(w, point.X, point.V, point.F);
     work_->forceEvaluations += s.forceCost;
   } else {
-    system_->force(s.t, in(point.X), in(point.V), s.z, out(point.F));
+    system_->force(s.t, spanOf(point.X), spanOf(point.V), s.z, spanOf(point.F));
     ++work_->forceEvaluations;
   }
   point.R = mass_.cwiseProduct(w) - s.tau * point.F;
@@ -60,7 +58,7 @@ void Newton::evaluate(const Vector& w, Point& point) {
 
 double Newton::energy(const Point& point) {
   ++work_->forceEvaluations;
-  return system_->potential()->energy(stage_->t, in(point.X), stage_->z);
+  return system_->potential()->energy(stage_->t, spanOf(point.X), stage_->z);
 }
 
 double Newton::relativeResidual(const Point& point, double floorFactor, int& worst) const {
@@ -88,8 +86,8 @@ bool Newton::atFloor(const Point& point, double factor) {
 
 bool Newton::factorise(Form form, Factorisation& found) {
   const ImplicitStage& s = *stage_;
-  system_->linearisation()->assemble(1.0, s.tau * s.beta, s.tau * s.alpha, s.t, in(here_.X), in(here_.V), s.z, form,
-                                     J_);
+  system_->linearisation()->assemble(1.0, s.tau * s.beta, s.tau * s.alpha, s.t, spanOf(here_.X), spanOf(here_.V), s.z,
+                                     form, J_);
   ++work_->jacobians;
   floorKnown_ = false;
   floor_.setZero();
@@ -159,6 +157,14 @@ void Newton::needFloor() {
   floor_ *= eps;
 }
 
+/// step_ with a new matrix of a form; false, with the reason, where that matrix or its solution is of no use.
+bool Newton::newDirection(Form form, std::string& failure) {
+  Factorisation found;
+  if (factorise(form, found)) return direction(failure);
+  failure = found.failure;
+  return false;
+}
+
 /// Steps along step_ until the incremental potential falls enough (Armijo); `slope` is R . step_.
 Newton::Search Newton::searchEnergy(double slope) {
   const ImplicitStage& s = *stage_;
@@ -176,7 +182,7 @@ Newton::Search Newton::searchEnergy(double slope) {
         energyHere = energy(here_);
         rest_.setZero();
         if (!system_->potential()->isComplete()) {
-          system_->potential()->conservativeForce(s.t, in(here_.X), s.z, out(rest_));
+          system_->potential()->conservativeForce(s.t, spanOf(here_.X), s.z, spanOf(rest_));
           ++work_->forceEvaluations;
           rest_ = here_.F - rest_;
         }
@@ -251,6 +257,81 @@ bool Newton::solveWithLastMatrix(const Vector& b, Vector& x, Work& work) {
   return solver_.solve(b, x).empty();
 }
 
+/// Sets out from the guess w, or from 0 where the force there is not finite; an empty string, or the force that is not
+/// finite at either.
+std::string Newton::setOut(Vector& w) {
+  evaluate(w, here_);
+  if (here_.finite) return {};
+  w.setZero();
+  evaluate(w, here_);
+  if (here_.finite) return {};
+  Eigen::Index bad = 0;
+  while (bad < here_.R.size() - 1 && std::isfinite(here_.R[bad])) ++bad;
+  return fmt::format("the force on {} is not finite", system_->unknownName(static_cast<int>(bad)));
+}
+
+/// A direction that points down, with a new matrix of the form wanted, or of the projected one; false where there is
+/// none.
+bool Newton::downhill(std::string& failure) {
+  const bool ready = newDirection(form_, failure);
+  if (!followsPotential() || (ready && here_.R.dot(step_) < 0.0)) return ready;
+  // Indefinite (or an exact direction that climbs): the projected Hessian always points down.
+  if (form_ == Form::Exact) exactWorks_ = false;
+  form_ = Form::Symmetric;
+  return newDirection(Form::Projected, failure);
+}
+
+/// Goes to a better point (trial_) along the direction found, or along others where that one does not lead there.
+Newton::Search Newton::search() {
+  const double before = here_.size;
+  if (!followsPotential()) {
+    const Search found = searchResidual();
+    const bool poor = found == Search::Failed || trial_.size > 0.3 * before;
+    const bool askKrylov = stage_->force && poor && !atFloor(here_, 64.0);
+    return askKrylov && krylovDirection() ? searchResidual() : found;
+  }
+  Search found = searchEnergy(here_.R.dot(step_));
+  if (found == Search::Accepted || form_ != Form::Symmetric) return found;
+  // The lagged forces without potential can mislead the search; the exact Jacobian and the residual do not.
+  std::string failure;
+  if (exactWorks_ && !system_->potential()->isComplete() && newDirection(Form::Exact, failure)) {
+    found = searchResidual();
+  }
+  if (found == Search::Failed && newDirection(Form::Projected, failure)) found = searchEnergy(here_.R.dot(step_));
+  return found;
+}
+
+/// Newton steps until the stage is solved; an empty string, or why it is not.
+std::string Newton::iterate(const NewtonOptions& options, int& iterations) {
+  std::string failure;
+  int worst = 0;
+  while (here_.size != 0.0) {
+    if (iterations == 0) {
+      relative_ = relativeResidual(here_, 0.0, worst);
+    } else if (converged(options.tolerance, worst)) {
+      return {};
+    }
+    if (iterations == options.mostIterations) {
+      return "Newton: no convergence after " + counted(iterations, "iteration");
+    }
+    ++iterations;
+    ++work_->newtonIterations;
+    if (!downhill(failure)) return "Newton: " + failure;
+    const double before = here_.size;
+    if (search() == Search::Failed) {
+      // No way down: round-off when the residual is of its size, else a fault.
+      return atFloor(here_, 1e3) ? "" : "Newton: no step along the direction makes progress";
+    }
+    std::swap(here_, trial_);
+    const bool slow = here_.size > 0.1 * before;
+    const bool lags = followsPotential() && slow && relative_ < 1e-1 && !system_->potential()->isComplete();
+    if (lags && exactWorks_) form_ = Form::Exact;
+    if (slow && atFloor(here_, 64.0)) return {};
+    if (options.simplified) keepMatrix();
+  }
+  return {};
+}
+
 NewtonReport Newton::solve(const DynamicalSystem& system, const ImplicitStage& stage, const NewtonOptions& options,
                            Vector& w, Work& work) {
   stage_ = &stage;
@@ -258,94 +339,22 @@ NewtonReport Newton::solve(const DynamicalSystem& system, const ImplicitStage& s
   system_ = &system;
   const std::span<const double> mass = system.mass();
   new (&mass_) Eigen::Map<const Vector>(mass.data(), static_cast<Eigen::Index>(mass.size()));
-  NewtonReport report;
   floor_.setZero();
   hasMatrix_ = hasMatrix_ && options.reuse && factors_ == std::array{stage.tau, stage.alpha, stage.beta};
   floorKnown_ = !hasMatrix_;
-  evaluate(w, here_);
-  if (!here_.finite) {
-    w.setZero();
-    evaluate(w, here_);
-  }
-  if (!here_.finite) {
-    Eigen::Index bad = 0;
-    while (bad < here_.R.size() - 1 && std::isfinite(here_.R[bad])) ++bad;
-    report.failure = fmt::format("the force on {} is not finite", system.unknownName(static_cast<int>(bad)));
-    return report;
-  }
-  const bool potential = system.potential() != nullptr && !stage.force;
-  Form form = potential ? Form::Symmetric : Form::Exact;
-  std::string failure;
-  int worst = 0;
-  bool exactWorks = true;
+  form_ = followsPotential() ? Form::Symmetric : Form::Exact;
+  exactWorks_ = true;
+  NewtonReport report;
+  report.failure = setOut(w);
+  if (!report.failure.empty()) return report;
   if (hasMatrix_) {
     report.iterations = reuseMatrix(options.tolerance);
     work.newtonIterations += report.iterations;
   }
-  for (;;) {
-    if (here_.size == 0.0) break;
-    if (report.iterations > 0) {
-      if (converged(options.tolerance, worst)) break;
-    } else {
-      relative_ = relativeResidual(here_, 0.0, worst);
-    }
-    if (report.iterations == options.mostIterations) {
-      report.failure = "Newton: no convergence after " + counted(report.iterations, "iteration");
-      break;
-    }
-    ++report.iterations;
-    ++work.newtonIterations;
-
-    Factorisation found;
-    bool ready = factorise(form, found) && direction(failure);
-    if (!found.usable) failure = found.failure;
-    double slope = ready ? here_.R.dot(step_) : 0.0;
-    if (potential && (!ready || !(slope < 0.0))) {
-      // Indefinite (or an exact direction that climbs): the projected Hessian always points down.
-      if (form == Form::Exact) exactWorks = false;
-      ready = factorise(Form::Projected, found) && direction(failure);
-      if (!found.usable) failure = found.failure;
-      slope = ready ? here_.R.dot(step_) : 0.0;
-      form = Form::Symmetric;
-    }
-    if (!ready) {
-      report.failure = "Newton: " + failure;
-      break;
-    }
-    const double before = here_.size;
-    Search search = Search::Failed;
-    if (!potential) {
-      search = searchResidual();
-      const bool poor = search == Search::Failed || trial_.size > 0.3 * before;
-      if (stage.force && poor && !atFloor(here_, 64.0)) {
-        if (krylovDirection()) search = searchResidual();
-      }
-    } else {
-      search = searchEnergy(slope);
-      if (search == Search::Failed && form == Form::Symmetric) {
-        // The lagged forces without potential can mislead the search; the exact Jacobian and the residual do not.
-        if (exactWorks && !system.potential()->isComplete() && factorise(Form::Exact, found) && direction(failure)) {
-          search = searchResidual();
-        }
-        if (search == Search::Failed && factorise(Form::Projected, found) && direction(failure)) {
-          search = searchEnergy(here_.R.dot(step_));
-        }
-      }
-    }
-    if (search == Search::Failed) {
-      // No way down: round-off when the residual is of its size, else a fault.
-      if (atFloor(here_, 1e3)) break;
-      report.failure = "Newton: no step along the direction makes progress";
-      break;
-    }
-    std::swap(here_, trial_);
-    const bool slow = here_.size > 0.1 * before;
-    if (potential && slow && relative_ < 1e-1 && !system.potential()->isComplete() && exactWorks) form = Form::Exact;
-    if (slow && atFloor(here_, 64.0)) break;
-    if (options.simplified) keepMatrix();
-  }
+  report.failure = iterate(options, report.iterations);
   if (report.failure.empty() && options.polish && report.iterations > 0) keepMatrix();
   w = here_.w;
+  int worst = 0;
   report.residual = relativeResidual(here_, 0.0, worst);
   report.done = report.failure.empty();
   if (!report.done) {

@@ -90,9 +90,16 @@ class Newton {
   bool atFloor(const Point& point, double factor);
   bool factorise(Form form, Factorisation& found);
   bool direction(std::string& failure);
+  bool newDirection(Form form, std::string& failure);
   bool krylovDirection();
   Search searchEnergy(double slope);
   Search searchResidual();
+  /// Whether the search follows the incremental potential; else the residual.
+  bool followsPotential() const { return system_->potential() != nullptr && !stage_->force; }
+  std::string setOut(Eigen::VectorXd& w);
+  bool downhill(std::string& failure);
+  Search search();
+  std::string iterate(const NewtonOptions& options, int& iterations);
   /// Computes floor_ for the last matrix, once.
   void needFloor();
   void keepMatrix();
@@ -109,6 +116,8 @@ class Newton {
   Point here_, trial_;
   Eigen::VectorXd step_, rest_, floor_, absolute_, scratch_;
   double relative_ = 0.0;
+  Form form_ = Form::Exact;  ///< of the matrix that the next direction is asked of
+  bool exactWorks_ = true;   ///< the exact matrix has given no direction that climbs
   bool floorKnown_ = false;
   bool hasMatrix_ = false;
   std::array<double, 3> factors_{};  ///< tau, alpha, beta of the last matrix

@@ -1,17 +1,18 @@
 #include "engine/statics/at_rest.h"
 
 #include "engine/forces/segment.h"
+#include "engine/model/axes.h"
 
 namespace muelle::engine {
 
 std::vector<double> externalForces(const ModelSystem& system, double t) {
   const Model& model = system.model();
+  const std::vector<int> axes = axesOf(model);
   std::vector<double> loads(static_cast<std::size_t>(system.size()), 0.0);
   for (const ModelExternalForce& external : model.externalForces) {
     const Vec3 F = external.force(t, segmentAt(external.times, t));
     for (const int node : external.nodes) {
-      for (int c = 0; c < model.dimension; ++c) {
-        const int axis = model.dimension == 2 ? model.plane[static_cast<std::size_t>(c)] : c;
+      for (const int axis : axes) {
         const int unknown = system.unknown(node, axis);
         if (unknown >= 0) loads[static_cast<std::size_t>(unknown)] += F[axis];
       }

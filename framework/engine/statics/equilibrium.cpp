@@ -2,6 +2,7 @@
 
 #include "base/text/count.h"
 #include "engine/solve/linear_solver.h"
+#include "engine/solve/spans.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -17,9 +18,6 @@ namespace {
 using Vector = Eigen::VectorXd;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-
-In in(const Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
-Out out(Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 
 /// The search for a minimum: one object a call of equilibrium().
 class Search {
@@ -40,17 +38,24 @@ class Search {
 
  private:
   enum class Outcome { Balanced, Stuck, Exhausted, RanAway };
+  /// The point that a step leads to.
+  struct Trial {
+    double energy = 0.0;   // [J]
+    double gain = 0.0;     // of energy, over what was predicted
+    bool isSmall = false;  // the energy's digits hardly show what was predicted
+    bool isGood = false;
+  };
 
   /// Half the size of the scene, as far as its free nodes tell [m].
   double extent() const { return x_.size() > 0 ? std::max((x_.array() - x_.mean()).abs().maxCoeff(), 1e-3) : 1e-3; }
   double energy(const Vector& x) {
     ++result_.work.forceEvaluations;
-    return system_.potential()->energy(t_, in(x), z_);
+    return system_.potential()->energy(t_, spanOf(x), z_);
   }
   void force(const Vector& x, Vector& F) {
     F.resize(x.size());
     ++result_.work.forceEvaluations;
-    system_.potential()->conservativeForce(t_, in(x), z_, out(F));
+    system_.potential()->conservativeForce(t_, spanOf(x), z_, spanOf(F));
   }
   void assemble();
   bool factorise(double shift);
@@ -59,6 +64,8 @@ class Search {
     ++result_.work.solves;
     return solver_.solve(b, x).empty();
   }
+  bool findStep();
+  Trial tryStep();
   Outcome balance();
   /// Whether the forces are no larger than what `factor` last bits of the positions do to them.
   bool atRoundOff(double factor) const { return (F_.array().abs() <= factor * floor_.array() + 1e-290).all(); }
@@ -82,7 +89,7 @@ class Search {
 };
 
 void Search::assemble() {
-  system_.linearisation()->assemble(0.0, 0.0, 1.0, t_, in(x_), in(rest_), z_, Form::Symmetric, H_);
+  system_.linearisation()->assemble(0.0, 0.0, 1.0, t_, spanOf(x_), spanOf(rest_), z_, Form::Symmetric, H_);
   ++result_.work.jacobians;
   diagonal_ = H_.sparse.diagonal();
   const Eigen::Map<const Eigen::ArrayXd> values(H_.sparse.valuePtr(), H_.sparse.nonZeros());
@@ -124,6 +131,32 @@ void Search::polish() {
   }
 }
 
+/// The step of the matrix as it is shifted, shifted more until it keeps within the radius; false where none can be had.
+bool Search::findStep() {
+  if (!solve(F_, step_)) return false;
+  for (int i = 0; i < 40 && step_.lpNorm<Eigen::Infinity>() > radius_; ++i) {
+    shift_ = std::max(8.0 * shift_, options_.flat * scale_);
+    if (!factorise(shift_) || !solve(F_, step_)) return false;
+  }
+  return true;
+}
+
+/// What the step comes to, in trial_ and trialF_.
+Search::Trial Search::tryStep() {
+  const double predicted = 0.5 * (F_.dot(step_) + shift_ * step_.squaredNorm());
+  trial_ = x_ + step_;
+  force(trial_, trialF_);
+  Trial trial;
+  trial.energy = energy(trial_);
+  const bool finite = trialF_.allFinite() && std::isfinite(trial.energy);
+  trial.isSmall = predicted <= 1e-9 * std::abs(E_) + 1e-300;
+  trial.gain = finite ? (E_ - trial.energy) / predicted : -1.0;
+  // Where the energy has no digits left the residual decides.
+  const bool lower = trial.gain > 0.1 && E_ - trial.energy > 16.0 * eps * (std::abs(E_) + std::abs(trial.energy));
+  trial.isGood = finite && (lower || (trial.isSmall && trialF_.norm() < F_.norm()));
+  return trial;
+}
+
 Search::Outcome Search::balance() {
   force(x_, F_);
   E_ = energy(x_);
@@ -133,38 +166,24 @@ Search::Outcome Search::balance() {
     ++result_.iterations;
     ++result_.work.newtonIterations;
     assemble();
-    const double before = F_.norm();
-    if (before == 0.0) return Outcome::Balanced;
+    if (F_.norm() == 0.0) return Outcome::Balanced;
     if (!shiftUntilDefinite()) return Outcome::Stuck;
     if (atRoundOff(8.0)) {
       polish();
       return Outcome::Balanced;
     }
-    if (!solve(F_, step_)) return Outcome::Stuck;
-    for (int i = 0; i < 40 && step_.lpNorm<Eigen::Infinity>() > radius_; ++i) {
-      shift_ = std::max(8.0 * shift_, options_.flat * scale_);
-      if (!factorise(shift_) || !solve(F_, step_)) return Outcome::Stuck;
-    }
-    const double predicted = 0.5 * (F_.dot(step_) + shift_ * step_.squaredNorm());
-    trial_ = x_ + step_;
-    force(trial_, trialF_);
-    const double trialE = energy(trial_);
-    const bool finite = trialF_.allFinite() && std::isfinite(trialE);
-    const bool small = predicted <= 1e-9 * std::abs(E_) + 1e-300;
-    const double gain = finite ? (E_ - trialE) / predicted : -1.0;
-    // Where the energy has no digits left the residual decides.
-    const bool lower = gain > 0.1 && E_ - trialE > 16.0 * eps * (std::abs(E_) + std::abs(trialE));
-    const bool good = finite && (lower || (small && trialF_.norm() < before));
-    if (good) {
+    if (!findStep()) return Outcome::Stuck;
+    const Trial trial = tryStep();
+    if (trial.isGood) {
       x_.swap(trial_);
       F_.swap(trialF_);
-      E_ = trialE;
-      if (gain > 0.7) radius_ *= 2.0;
-      if (gain > 0.7 || small) shift_ = shift_ <= options_.flat * scale_ ? 0.0 : 0.1 * shift_;
+      E_ = trial.energy;
+      if (trial.gain > 0.7) radius_ *= 2.0;
+      if (trial.gain > 0.7 || trial.isSmall) shift_ = shift_ <= options_.flat * scale_ ? 0.0 : 0.1 * shift_;
       stagnant = 0;
       continue;
     }
-    if (small && atRoundOff(1e3)) {
+    if (trial.isSmall && atRoundOff(1e3)) {
       polish();
       return Outcome::Balanced;
     }
@@ -258,13 +277,10 @@ void Search::run() {
     }
     if (result_.smallestEigenvalue >= -flat) {
       result_.converged = outcome == Outcome::Balanced;
-      if (!result_.converged) {
-        result_.message = "no step lowers the energy, and the forces do not balance";
-      } else if (result_.smallestEigenvalue > flat) {
-        result_.message = "a minimum of the energy";
-      } else {
-        result_.message = "a minimum of the energy, flat in at least one direction (mechanism or rigid motion)";
-      }
+      result_.message = !result_.converged ? "no step lowers the energy, and the forces do not balance"
+                        : result_.smallestEigenvalue > flat
+                            ? "a minimum of the energy"
+                            : "a minimum of the energy, flat in at least one direction (mechanism or rigid motion)";
       return;
     }
     if (!options_.leaveSaddles || result_.saddlesLeft >= 100 || !leave(along)) {
@@ -318,7 +334,7 @@ StaticResult equilibrium(const DynamicalSystem& system, State start, const Stati
     result.residual = std::max(result.residual, result.nodeResiduals.back());
   }
   Vector all(F.size());
-  system.force(result.state.t, result.state.x, result.state.v, result.state.z, out(all));
+  system.force(result.state.t, result.state.x, result.state.v, result.state.z, spanOf(all));
   if (!result.converged && !result.nodeResiduals.empty()) {
     const auto worst = std::ranges::max_element(result.nodeResiduals) - result.nodeResiduals.begin();
     result.message += fmt::format("; largest sum of forces {:.3g} N at {}", result.residual,

@@ -1,8 +1,10 @@
 #include "engine/statics/rest.h"
 
+#include "engine/model/axes.h"
 #include "engine/statics/at_rest.h"
 #include "engine/statics/cusp.h"
 #include "engine/statics/equilibrium.h"
+#include "engine/statics/softer_springs.h"
 #include "engine/statics/support.h"
 #include "engine/statics/tension_form.h"
 
@@ -19,7 +21,6 @@ namespace {
 
 constexpr long long firstTry = 40;    // factorisations from the scene's start, before force densities have a go
 constexpr int glancing = 12;          // Newton's method from the scene's start
-constexpr double softEA = 1e3;        // over the load, of springs that a search by positions bends well
 constexpr int polishing = 20;         // and at the end, on tensions
 constexpr int fromForceDensity = 25;  // from the shape of a net under its loads
 
@@ -53,8 +54,6 @@ class RestSearch {
   bool fromForceDensities();
   bool fromSofter();
   bool keep(std::unique_ptr<TensionForm> form);
-  std::unique_ptr<ModelSystem> softened(double EA) const;
-  std::unique_ptr<TensionForm> stiffened(const ModelSystem& system, const TensionForm& from);
   StaticOptions searchOptions(long long mostFactorisations) const;
   bool polish();
   bool startIsNoShape() const;
@@ -79,8 +78,7 @@ class RestSearch {
 
 /// The node of the model that an unknown belongs to.
 int RestSearch::nodeOf(int unknown) const {
-  const Model& model = system_.model();
-  const int axis = model.dimension == 2 ? model.plane[0] : 0;
+  const int axis = axesOf(system_.model()).front();
   for (int node = 0; node < system_.nodeCount(); ++node) {
     const int first = system_.unknown(node, axis);
     if (first >= 0 && unknown >= first && unknown < first + system_.dimension()) return node;
@@ -194,61 +192,12 @@ bool RestSearch::fromForceDensities() {
   return true;
 }
 
-/// The model with springs no stiffer than EA; nothing where none is stiffer.
-std::unique_ptr<ModelSystem> RestSearch::softened(double EA) const {
-  Model soft = system_.model();
-  bool any = false;
-  for (ModelSpring& spring : soft.springs) {
-    if (!(spring.L0 > 0.0) || !(spring.k * spring.L0 > EA)) continue;
-    spring.k = EA / spring.L0;
-    any = true;
-  }
-  return any ? build(soft) : nullptr;
-}
-
-/// Newton's method for the springs of `system` from a shape with other ones: with their tensions, which the loads make,
-/// or as the lengths say, where springs that do not fit strain each other.
-std::unique_ptr<TensionForm> RestSearch::stiffened(const ModelSystem& system, const TensionForm& from) {
-  for (const bool keepTensions : {true, false}) {
-    auto form = std::make_unique<TensionForm>(system, start_);
-    if (keepTensions) {
-      form->place(from.positions(), from.tensions());
-    } else {
-      form->place(from.positions());
-    }
-    const bool balanced = form->solve(polishing, false).atRoundOff;
-    result_.work += form->work();
-    if (balanced) return form;
-  }
-  return nullptr;
-}
-
-/// Downhill by positions with springs no stiffer than so that the loads strain them by a thousandth or so, then with
-/// their own stiffness from the shape there, at once or by tens: by positions alone stiff springs make the way a gorge.
 bool RestSearch::fromSofter() {
-  double EA = softEA * TensionForm(system_, start_).load();
-  std::unique_ptr<ModelSystem> soft = EA > 0.0 ? softened(EA) : nullptr;
-  if (!soft) return false;
-  StaticOptions options = searchOptions(options_.mostFactorisations / 2);
-  const StaticResult down = equilibrium(AtRest(*soft, start_.t), start_, options);
-  result_.work += down.work;
-  ranAway_ = down.ranAway;
-  if (ranAway_) result_.state = down.state;
-  if (ranAway_ || !down.balanced) return false;
-  auto form = std::make_unique<TensionForm>(*soft, start_);
-  form->place(down.state.x);
-  form->solve(polishing, false);
-  result_.work += form->work();
-  if (auto direct = stiffened(system_, *form)) return keep(std::move(direct));
-  for (;;) {
-    EA *= 10.0;
-    std::unique_ptr<ModelSystem> stiffer = softened(EA);
-    auto next = stiffened(stiffer ? *stiffer : system_, *form);
-    if (!next) return false;
-    if (!stiffer) return keep(std::move(next));
-    form = std::move(next);
-    soft = std::move(stiffer);
-  }
+  SofterSearch softer = balanceBySofterSprings(system_, start_, searchOptions(options_.mostFactorisations / 2));
+  result_.work += softer.work;
+  ranAway_ = softer.ranAway;
+  if (ranAway_) result_.state = softer.furthest;
+  return softer.form && keep(std::move(softer.form));
 }
 
 /// Takes a balanced shape as the one that was found.

@@ -1,32 +1,13 @@
 #pragma once
 #include "engine/model/model_system.h"
+#include "engine/statics/curvature.h"
+#include "engine/statics/imbalance.h"
 #include "engine/work.h"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace muelle::engine {
-
-/// How far a shape is from rest.
-struct Imbalance {
-  double force = 0.0;       ///< largest sum of forces on a free node, springs by their tensions [N]
-  int worstUnknown = 0;     ///< an unknown of that node
-  double length = 0.0;      ///< largest |L - L0 - T/k| of the springs whose tension is an unknown [m]
-  bool atRoundOff = false;  ///< both are what the last bits of tensions, lengths and the other forces leave
-  double forceFloor = 0.0;  ///< what these bits do to the sum of forces on that node [N]
-  double merit = 0.0;       ///< both in one number, for line searches: 1 is the size of the loads
-  bool hasTensions() const { return length >= 0.0; }
-};
-
-/// The smallest eigenvalue of the stiffness matrix at a shape, and how well it is known.
-struct Curvature {
-  bool known = false;         ///< false: no factorisation could be trusted
-  double smallest = 0.0;      ///< [N/m]
-  double roundOff = 0.0;      ///< what round-off does to it [N/m]: within it nobody knows its sign
-  int negative = 0;           ///< how many eigenvalues are below zero, those within round-off aside
-  std::vector<double> along;  ///< its eigenvector, of length 1
-};
 
 /// Equilibrium with tensions as unknowns beside the positions, for springs so stiff that positions do not know them:
 /// with EA / weight = 1e12 one bit of a position is a tenth of the weight.
@@ -70,8 +51,6 @@ class TensionForm {
   /// Tension [N] of each spring of the model, in its order; positive pulls. NaN at length 0, where it has no direction;
   /// 0 where the length that says it is the rest length to round-off.
   std::vector<double> tensions() const;
-  /// Sum of the forces on each unknown [N].
-  const std::vector<double>& forces() const;
   /// Springs whose tension is an unknown.
   int unknownTensions() const;
   /// Size of the loads [N]: sum over the free nodes of what acts without springs.

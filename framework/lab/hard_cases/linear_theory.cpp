@@ -21,41 +21,41 @@ namespace {
 
 /// The power of a step's matrix to 1e5 steps would lose five of a double's digits.
 using Real = long double;
-using Matrix = Eigen::Matrix<Real, 2, 2>;
+using Block = Eigen::Matrix<Real, 2, 2>;
 using Vector = Eigen::Matrix<Real, 2, 1>;
 using Pair = Eigen::Matrix<Real, 4, 4>;  ///< of two states, one after the other
 
 /// (x, v)' = L (x, v).
-Matrix generator(const Mode& m) {
-  Matrix L;
+Block generator(const Mode& m) {
+  Block L;
   L << 0.0, 1.0, -m.stiffness, -(m.damping + m.drag);
   return L;
 }
 
 /// The truncated exponential series of Z up to `order`.
-Matrix series(const Matrix& Z, int order) {
-  Matrix sum = Matrix::Identity();
-  for (int j = order; j >= 1; --j) sum = Matrix::Identity() + Z * sum / j;
+Block series(const Block& Z, int order) {
+  Block sum = Block::Identity();
+  for (int j = order; j >= 1; --j) sum = Block::Identity() + Z * sum / j;
   return sum;
 }
 
 /// exp(Z) by scaling and squaring.
-Matrix exponential(const Matrix& Z) {
+Block exponential(const Block& Z) {
   const int halvings = std::max(0, static_cast<int>(std::ceil(std::log2(Z.cwiseAbs().maxCoeff() + 1e-300L))) + 4);
-  Matrix result = series(Z * std::ldexp(Real(1), -halvings), 17);
+  Block result = series(Z * std::ldexp(Real(1), -halvings), 17);
   for (int i = 0; i < halvings; ++i) result = result * result;
   return result;
 }
 
 /// The matrix of a linear map, column by column.
-Matrix matrixOf(const std::function<Vector(Vector)>& map) {
-  Matrix result;
+Block matrixOf(const std::function<Vector(Vector)>& map) {
+  Block result;
   result << map(Vector(1, 0)), map(Vector(0, 1));
   return result;
 }
 
 /// Velocity Verlet with the drag exact and the damping at the predicted velocity; h may be negative.
-Matrix verlet(const Mode& m, Real h) {
+Block verlet(const Mode& m, Real h) {
   const Real c = h * m.drag;
   const Real decay = std::exp(-c);
   const Real phi1 = std::abs(c) < 1e-8L ? 1 - c / 2 : -std::expm1(-c) / c;
@@ -69,26 +69,26 @@ Matrix verlet(const Mode& m, Real h) {
   });
 }
 
-Matrix symplecticEuler(const Mode& m, Real h) {
+Block symplecticEuler(const Mode& m, Real h) {
   return matrixOf([=](Vector y) -> Vector {
     const Real v = y[1] + h * (-m.stiffness * y[0] - (m.damping + m.drag) * y[1]);
     return {y[0] + h * v, v};
   });
 }
 
-Matrix composed(const Mode& m, Real h, std::span<const Real> fractions) {
-  Matrix result = Matrix::Identity();
+Block composed(const Mode& m, Real h, std::span<const Real> fractions) {
+  Block result = Block::Identity();
   for (const Real fraction : fractions) result = verlet(m, fraction * h) * result;
   return result;
 }
 
-Matrix yoshida4(const Mode& m, Real h) {
+Block yoshida4(const Mode& m, Real h) {
   const Real w = 1 / (2 - std::cbrt(Real(2)));
   return composed(m, h, std::array{w, 1 - 2 * w, w});
 }
 
 /// Kahan and Li 1997, order 8 with 17 stages.
-Matrix kahanLi8(const Mode& m, Real h) {
+Block kahanLi8(const Mode& m, Real h) {
   constexpr Real g[] = {0.13020248308889008088L, 0.56116298177510838456L,  -0.38947496264484728641L,
                         0.15884190655515560090L, -0.39590389413323757734L, 0.18453964097831570709L,
                         0.25837438768632204729L, 0.29501172360931029887L,  -0.60550853383003451170L};
@@ -97,8 +97,8 @@ Matrix kahanLi8(const Mode& m, Real h) {
   return composed(m, h, all);
 }
 
-Matrix backwardEuler(const Matrix& Z) { return (Matrix::Identity() - Z).inverse(); }
-Matrix midpoint(const Matrix& Z) { return (Matrix::Identity() - Z / 2).inverse() * (Matrix::Identity() + Z / 2); }
+Block backwardEuler(const Block& Z) { return (Block::Identity() - Z).inverse(); }
+Block midpoint(const Block& Z) { return (Block::Identity() - Z / 2).inverse() * (Block::Identity() + Z / 2); }
 
 template <class Square>
 Square power(Square base, long long n) {
@@ -126,28 +126,28 @@ std::complex<double> leadingEigenvalue(const Square& M) {
 /// BDF2 on (y_n, y_{n-1}), the first step by Alexander's SDIRK of two stages.
 struct TwoStep {
   Pair step;
-  Matrix first;
+  Block first;
 };
-TwoStep bdf2(const Matrix& Z) {
-  const Matrix I = Matrix::Identity(), solve = (I - Z * 2 / 3).inverse();
+TwoStep bdf2(const Block& Z) {
+  const Block I = Block::Identity(), solve = (I - Z * 2 / 3).inverse();
   TwoStep result;
-  result.step << solve * 4 / 3, -solve / 3, I, Matrix::Zero();
+  result.step << solve * 4 / 3, -solve / 3, I, Block::Zero();
   const Real gamma = 1 - std::sqrt(Real(0.5));
-  const Matrix stage = (I - gamma * Z).inverse();
+  const Block stage = (I - gamma * Z).inverse();
   result.first = stage * (I + (1 - gamma) * Z * stage);
   return result;
 }
 
 /// The trapezoidal rule to gamma h, then BDF2 to h, gamma = 2 - sqrt(2): one matrix for both.
-Matrix trBdf2(const Matrix& Z) {
-  const Matrix I = Matrix::Identity();
+Block trBdf2(const Block& Z) {
+  const Block I = Block::Identity();
   const Real gamma = 2 - std::sqrt(Real(2)), c = 1 / (gamma * (2 - gamma));
-  const Matrix solve = (I - gamma / 2 * Z).inverse(), middle = solve * (I + gamma / 2 * Z);
+  const Block solve = (I - gamma / 2 * Z).inverse(), middle = solve * (I + gamma / 2 * Z);
   return solve * (c * middle - c * (1 - gamma) * (1 - gamma) * I);
 }
 
-std::optional<Matrix> stepMatrix(const std::string& id, const Mode& m, Real h) {
-  const Matrix Z = h * generator(m);
+std::optional<Block> stepMatrix(const std::string& id, const Mode& m, Real h) {
+  const Block Z = h * generator(m);
   if (id == "explicit_euler") return series(Z, 1);
   if (id == "explicit_midpoint") return series(Z, 2);
   if (id == "runge_kutta_4") return series(Z, 4);
@@ -211,7 +211,7 @@ Vector onTheSlowWay(const Mode& mode) {
 }
 
 /// Whether a step turns the fast part round.
-bool overshoots(const Matrix& step) { return step.trace() < 0 || step.determinant() < 0; }
+bool overshoots(const Block& step) { return step.trace() < 0 || step.determinant() < 0; }
 
 }  // namespace
 
@@ -232,7 +232,7 @@ std::optional<ModeForecast> forecast(const engine::MethodInfo& method, const Mod
     end = (power(two.step, steps - 1) * pair).head<2>();
     eigenvalue = leadingEigenvalue(two.step);
   } else {
-    const std::optional<Matrix> step = stepMatrix(method.id, mode, length);
+    const std::optional<Block> step = stepMatrix(method.id, mode, length);
     if (!step) return std::nullopt;
     if (mode.cannotPull && overshoots(*step)) start = onTheSlowWay(mode);
     end = power(*step, steps) * start;

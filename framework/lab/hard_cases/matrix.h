@@ -1,5 +1,4 @@
 #pragma once
-#include "harness/figure.h"
 #include "lab/hard_cases/prediction.h"
 
 #include <functional>
@@ -30,11 +29,13 @@ struct Cell {
   double processorSeconds = 0.0;  ///< [s] of the run alone, whatever else the machine did
 };
 
+/// Which rows and columns.
 struct MatrixOptions {
   std::vector<std::string> cases = {};    ///< "H04"; empty: all
   std::vector<std::string> methods = {};  ///< ids; empty: all
 };
 
+/// Every method on every variant.
 struct Matrix {
   std::vector<std::string> methods;
   std::vector<Variant> variants;
@@ -65,17 +66,5 @@ const std::vector<KnownSurprise>& knownSurprises();
 std::string reasonOf(const Matrix& matrix, const Cell& cell);
 /// The cells that are better than predicted for no known reason.
 std::vector<const Cell*> unexplained(const Matrix& matrix);
-
-/// "1e-09", "~ 3e+02", "n/a", "! 0.1": passed, failed as predicted, not applicable, failed unexpectedly.
-std::string cellText(const Cell& cell);
-/// The table for a terminal, one row a variant; with colours when asked for.
-std::string matrixText(const Matrix& matrix, bool colours);
-/// The counts in words, and every cell that failed unexpectedly.
-std::string summaryText(const Matrix& matrix);
-std::string matrixCsv(const Matrix& matrix);
-/// The page of the documentation.
-std::string matrixPage(const Matrix& matrix);
-/// The matrix as a table of colours, with the power of ten of each error.
-Figure matrixFigure(const Matrix& matrix);
 
 }  // namespace muelle::hard_cases

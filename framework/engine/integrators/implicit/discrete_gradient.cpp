@@ -1,5 +1,6 @@
 #include "engine/integrators/implicit/implicit_method.h"
 #include "engine/integrators/implicit/methods.h"
+#include "engine/solve/spans.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -35,22 +36,16 @@ class DiscreteGradient final : public ImplicitMethod {
   StepResult advance(const DynamicalSystem& system, const State& from, double h) override {
     const double tm = from.t + 0.5 * h;
     const bool complete = system.potential()->isComplete();
-    stage_.t = tm;
-    stage_.tau = h;
-    stage_.alpha = 0.25 * h;
-    stage_.beta = 0.5;
-    stage_.z = from.z;
-    stage_.V0 = vector(from.v);
-    stage_.X0 = vector(from.x) + (0.5 * h) * stage_.V0;
+    setMidpointStage(from, h);
     stage_.forceCost = complete ? 1 : 3;
     rest_.resize(stage_.X0.size());
     conservative_.resize(stage_.X0.size());
     stage_.force = [&](const Vector& w, const Vector& X, const Vector& V, Vector& F) {
       end(from, h, w);
-      system.potential()->discreteGradientForce(tm, from.x, span(end_), from.z, span(F));
+      system.potential()->discreteGradientForce(tm, from.x, spanOf(end_), from.z, spanOf(F));
       if (complete) return;
-      system.force(tm, span(X), span(V), from.z, span(rest_));
-      system.potential()->conservativeForce(tm, span(X), from.z, span(conservative_));
+      system.force(tm, spanOf(X), spanOf(V), from.z, spanOf(rest_));
+      system.potential()->conservativeForce(tm, spanOf(X), from.z, spanOf(conservative_));
       F += rest_ - conservative_;
     };
     StepResult result = solveWithinBudget(system, from, h);
@@ -86,9 +81,6 @@ class DiscreteGradient final : public ImplicitMethod {
     }
     return result;
   }
-
-  static In span(const Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
-  static Out span(Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 
   /// Change of position and end of the step for the increment w: the same numbers that the discrete gradient saw.
   void end(const State& from, double h, const Vector& w) {

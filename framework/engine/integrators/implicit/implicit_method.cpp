@@ -27,6 +27,16 @@ void ImplicitMethod::prepare(const DynamicalSystem& system, const Tolerance& tol
   restart();
 }
 
+void ImplicitMethod::setMidpointStage(const State& from, double h) {
+  stage_.t = from.t + 0.5 * h;
+  stage_.tau = h;
+  stage_.alpha = 0.25 * h;
+  stage_.beta = 0.5;
+  stage_.z = from.z;
+  stage_.V0 = vector(from.v);
+  stage_.X0 = vector(from.x) + (0.5 * h) * stage_.V0;
+}
+
 StepResult ImplicitMethod::solveStage(const DynamicalSystem& system, const NewtonOptions& options, double h) {
   const NewtonReport report = newton_.solve(system, stage_, options, w_, work_);
   StepResult result;

@@ -31,6 +31,9 @@ class ImplicitMethod : public Integrator {
   virtual StepResult advance(const DynamicalSystem& system, const State& from, double h) = 0;
   /// Solves stage_ from the guess in w_; the result says which step failed when it did.
   StepResult solveStage(const DynamicalSystem& system, const NewtonOptions& options, double h);
+  /// Makes stage_ the one of the midpoint for the increment w of velocity over the whole step:
+  /// M w = h F(tm, x0 + h (v0 + w/2) / 2, v0 + w/2).
+  void setMidpointStage(const State& from, double h);
   /// Whether a step starts where the last one ended, up to the last bits, which compensated summation may change.
   static bool follows(const State& from, const State& end, double h);
 

@@ -28,13 +28,7 @@ class ImplicitMidpoint final : public ImplicitMethod {
 
  private:
   StepResult advance(const DynamicalSystem& system, const State& from, double h) override {
-    stage_.t = from.t + 0.5 * h;
-    stage_.tau = h;
-    stage_.alpha = 0.25 * h;
-    stage_.beta = 0.5;
-    stage_.z = from.z;
-    stage_.V0 = vector(from.v);
-    stage_.X0 = vector(from.x) + (0.5 * h) * stage_.V0;
+    setMidpointStage(from, h);
     w_.setZero();
     NewtonOptions options;
     options.tolerance = tolerance_;

@@ -1,0 +1,51 @@
+#include "engine/model/mass_spring_system.h"
+
+namespace muelle::engine {
+
+void MassSpringSystem::bind() const {
+  pattern_.emplace(dimension_, numbering_.freeNodes);
+  for (const auto& batch : batches_) batch->couple(*pattern_);
+  pattern_->finish();
+  for (const auto& batch : batches_) batch->bind(*pattern_);
+  if (drag_) drag_->bind(*pattern_);
+}
+
+void MassSpringSystem::assemble(double cM, double cD, double cK, double t, In x, In v, In z, Form form,
+                                SystemMatrix& J) const {
+  if (!pattern_) bind();
+  pattern_->clear(J.sparse);
+  const Configuration at = gather(t, x, v, z, first_);
+  double* values = J.sparse.valuePtr();
+  J.symmetric = true;
+  for (const auto& batch : batches_) {
+    batch->addDerivatives(at, cD, cK, form, values);
+    if (form == Form::Exact && batch->isNotSymmetric()) J.symmetric = false;
+  }
+  if (drag_) drag_->addDerivatives(at, cD, cK, form, values);
+  if (cM != 0.0) {
+    for (int node = 0; node < numbering_.freeNodes; ++node) {
+      const BlockSlot slot = pattern_->slot(node, node);
+      for (int axis = 0; axis < dimension_; ++axis) {
+        values[slot.base + axis * slot.stride + axis] += cM * mass_[place(node, axis)];
+      }
+    }
+  }
+  assembleLowRank(cK, J.lowRank);
+}
+
+/// After the batches' derivatives, which the columns are of.
+void MassSpringSystem::assembleLowRank(double cK, LowRank& lowRank) const {
+  int columns = 0;
+  for (const auto& batch : batches_) columns += batch->lowRankColumns();
+  lowRank.U.resize(columns == 0 ? 0 : size_, columns);
+  lowRank.s.resize(columns);
+  int column = 0;
+  for (const auto& batch : batches_) {
+    const int own = batch->lowRankColumns();
+    if (own == 0) continue;
+    batch->writeLowRank(cK, lowRank.U.middleCols(column, own), lowRank.s.segment(column, own));
+    column += own;
+  }
+}
+
+}  // namespace muelle::engine
