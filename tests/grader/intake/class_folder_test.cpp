@@ -199,7 +199,7 @@ TEST_F(ClassHint, IsANoteOnAnArchiveOfAClass) {
   EXPECT_EQ(noteOn({{"work/spring_1d/spring_1d.cpp", "1"}, {"work/triangle/triangle.cpp", "2"}}), "");
   EXPECT_EQ(noteOn({{"week 1/spring_1d.cpp", "1"}, {"week 2/triangle.cpp", "2"}}), "");
   EXPECT_EQ(noteOn({{"spring_1d.cpp", "1"}, {"old/spring_1d.cpp", "1"}, {"older/spring_1d.cpp", "1"}}), "");
-  EXPECT_EQ(noteOn({{"solutions/spring_1d/spring_1d.cpp", "1"}, {"solutions/triangle/triangle.cpp", "2"}}), "");
+  EXPECT_EQ(noteOn({{"exercises/spring_1d/spring_1d.cpp", "1"}, {"exercises/triangle/triangle.cpp", "2"}}), "");
 }
 
 TEST_F(ClassHint, IsNotGivenForOneHandIn) {
