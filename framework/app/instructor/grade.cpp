@@ -131,7 +131,10 @@ int gradeSubmission(const GradeCommand& command) {
     throw std::invalid_argument(command.submission + " " + *why);
   }
   const std::optional<fs::path> given = givenFolder(command, command.submission);
-  const grader::Submission submission = take(grader, command, given);
+  grader::Submission submission = take(grader, command, given);
+  if (const auto note = grader::archiveOfAClass(submission.archived, grader.wholeCourse())) {
+    submission.notes.push_back(*note);
+  }
   ProgressBar bar("grading");
   grader.onProgress([&] { bar.update(static_cast<double>(grader.finished()) / std::max(1, grader.known())); });
   return report(grader::grade(grader, submission, jobsOf(command)), command, given);

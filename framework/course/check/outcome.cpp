@@ -7,7 +7,7 @@ namespace muelle {
 
 namespace {
 
-constexpr std::array<std::pair<Outcome, std::string_view>, 11> outcomeNames{{
+constexpr std::array<std::pair<Outcome, std::string_view>, 12> outcomeNames{{
     {Outcome::Passed, "passed"},
     {Outcome::Wrong, "wrong"},
     {Outcome::NeverWritten, "never written"},
@@ -19,6 +19,7 @@ constexpr std::array<std::pair<Outcome, std::string_view>, 11> outcomeNames{{
     {Outcome::Refused, "refused"},
     {Outcome::Killed, "killed"},
     {Outcome::Wall, "wall time"},
+    {Outcome::Struck, "struck"},
 }};
 
 }  // namespace

@@ -17,6 +17,7 @@ enum class Outcome {
   Refused,       ///< the file itself: too large, no text, missing
   Killed,        ///< from outside, by SIGKILL: the machine's word until it has happened twice
   Wall,          ///< a wide limit of wall time: the machine's word, too
+  Struck,        ///< from outside by another signal, as the process itself tells: believed once
 };
 
 /// "passed", "never written", ...: for records and tests.

@@ -150,6 +150,7 @@ class OpenArchive {
     if (type == AE_IFIFO) return refuse(path, "is a named pipe");
     if (type == AE_IFCHR || type == AE_IFBLK) return refuse(path, "is a device");
     if (type != AE_IFREG) return refuse(path, "is no regular file");
+    reader_.sawFile(path);
     std::string head;
     std::string bytes;
     const bool isAnArchive = read(path, head, bytes);

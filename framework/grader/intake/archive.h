@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace muelle::grader {
 
@@ -27,10 +28,18 @@ class ArchiveReader {
   /// Counts one more entry of an archive or folder; false, and said once, when that is more than the limit.
   bool countEntry();
 
+  /// Notes a file of the outermost archive.
+  void sawFile(const RelativePath& path) {
+    if (opened_ == 1) files_.push_back(path);
+  }
+
   /// Counts bytes that were unpacked; throws std::runtime_error when that is more than the limit. `name` as in read().
   void countBytes(std::size_t bytes, const std::string& name);
 
   Collector& collector() { return collector_; }
+
+  /// The paths of the files in the archive that read() has read; an archive inside counts as a file.
+  const std::vector<RelativePath>& files() const { return files_; }
 
  private:
   void open(const std::string& bytes, const std::string& name, const RelativePath& folder);
@@ -38,6 +47,7 @@ class ArchiveReader {
   Collector& collector_;
   std::size_t entries_ = 0;
   std::size_t unpacked_ = 0;
+  std::vector<RelativePath> files_;
   int opened_ = 0;  ///< archives being read now, one in the other
 };
 

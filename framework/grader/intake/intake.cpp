@@ -48,6 +48,9 @@ class Parts {
     readFile(path, readAll(file.get(), limit_));
   }
 
+  /// The paths in the archive that is the whole hand-in.
+  const std::vector<RelativePath>& archived() const { return archives_.files(); }
+
  private:
   /// An archive, or a source alone when its name says so and its content nothing else.
   void readFile(const std::filesystem::path& path, const std::optional<std::string>& bytes) {
@@ -87,6 +90,7 @@ Submission takeSubmission(const std::vector<std::filesystem::path>& parts, const
   for (const std::filesystem::path& part : parts) reading.read(part);
   Submission submission = collector.finish(nameOf(parts.front()));
   submission.path = std::filesystem::absolute(parts.front());
+  submission.archived = reading.archived();
   return submission;
 }
 

@@ -41,6 +41,8 @@ struct Submission {
   std::map<std::string, std::string> faults;
   /// What was taken from elsewhere or ignored, one line each, untrusted names made printable.
   std::vector<std::string> notes;
+  /// The files of the archive that was handed in, as paths in it; none of a folder. Untrusted text.
+  std::vector<std::vector<std::string>> archived;
   /// SHA-256 of `sources`: two submissions with one hash are graded alike.
   std::string hash;
 };

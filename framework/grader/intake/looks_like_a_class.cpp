@@ -98,11 +98,11 @@ void lookAtName(const std::string& name, bool isFolder, const std::vector<Manife
   }
 }
 
-void look(const fs::directory_entry& child, const std::vector<Manifest>& course, Signs& signs) {
-  const std::string name = child.path().filename().string();
-  std::error_code unknown;
+/// \param topics of what lies in the child, when it is a folder
+template <class Topics>
+void look(const std::string& name, bool isFolder, const Topics& topicsOf, const std::vector<Manifest>& course,
+          Signs& signs) {
   if (name.starts_with('.') || name == "__MACOSX") return;
-  const bool isFolder = child.is_directory(unknown);
   const bool isNamed = isServersName(name);
   if (!isNamed) lookAtName(name, isFolder, course, signs);
   if (!isFolder && isArchiveName(name)) {
@@ -111,9 +111,37 @@ void look(const fs::directory_entry& child, const std::vector<Manifest>& course,
     signs.named.insert(studentOf(name));
   }
   if (!isFolder) return;
-  const std::set<std::string> topics = topicsInside(child.path(), course);
+  const std::set<std::string> topics = topicsOf();
   signs.isAHandIn |= isCourseFolder(name) && !topics.empty();
   for (const std::string& topic : topics) ++signs.topics[topic];
+}
+
+/// "28 archives", "2 hand-ins"; nullopt when it is no class.
+std::optional<std::string> whatItHolds(const Signs& signs) {
+  if (signs.isAHandIn || signs.copies() == 1) return std::nullopt;
+  auto folders = static_cast<int>(signs.named.size());
+  for (const auto& [topic, count] : signs.topics) folders = std::max(folders, count);
+  const auto archives = static_cast<int>(signs.archives.size());
+  if (archives < 2 && folders < 2) return std::nullopt;
+  return archives >= folders ? fmt::format("{} archives", archives) : fmt::format("{} hand-ins", folders);
+}
+
+/// An archive mostly holds one folder, with all in it. \return how many components of each path to pass over
+std::size_t depthOfChildren(const std::vector<RelativePath>& files, const std::vector<Manifest>& course) {
+  std::set<std::string> tops;
+  for (const RelativePath& file : files) tops.insert(file.size() > 1 ? file.front() : "");
+  tops.erase("__MACOSX");
+  if (tops.size() != 1 || tops.contains("")) return 0;
+  std::set<std::string> own;
+  addTopicsOf(*tops.begin(), true, course, own);
+  return own.empty() && !isServersName(*tops.begin()) && !isCourseFolder(*tops.begin()) ? 1 : 0;
+}
+
+/// The topics of one file's path below its child.
+void addTopicsBelow(const RelativePath& file, std::size_t first, const std::vector<Manifest>& course,
+                    std::set<std::string>& topics) {
+  for (std::size_t i = first; i < file.size(); ++i) addTopicsOf(file[i], i + 1 < file.size(), course, topics);
+  if (isArchiveName(file.back())) topics.insert(unknownTopic);
 }
 
 }  // namespace
@@ -122,18 +150,43 @@ std::optional<std::string> looksLikeAClass(const std::filesystem::path& path, co
   Signs signs;
   std::error_code error;
   if (!fs::is_directory(path, error)) return std::nullopt;
-  for (fs::directory_iterator child(path, error), end; !error && child != end; child.increment(error))
-    look(*child, course, signs);
-  const int copies = signs.copies();
-  if (error || signs.isAHandIn || copies == 1) return std::nullopt;
-  auto folders = static_cast<int>(signs.named.size());
-  for (const auto& [topic, count] : signs.topics) folders = std::max(folders, count);
-  const auto archives = static_cast<int>(signs.archives.size());
-  if (archives < 2 && folders < 2) return std::nullopt;
-  const std::string what =
-      archives >= folders ? fmt::format("{} archives", archives) : fmt::format("{} hand-ins", folders);
-  return fmt::format("holds {}; to grade each as a submission: ./muelle grade --class {}", what,
+  for (fs::directory_iterator child(path, error), end; !error && child != end; child.increment(error)) {
+    std::error_code unknown;
+    look(
+        child->path().filename().string(), child->is_directory(unknown),
+        [&] { return topicsInside(child->path(), course); }, course, signs);
+  }
+  const std::optional<std::string> what = error ? std::nullopt : whatItHolds(signs);
+  if (!what) return std::nullopt;
+  return fmt::format("holds {}; to grade each as a submission: ./muelle grade --class {}", *what,
                      cut(printableLine(path.string()), 200));
+}
+
+std::optional<std::string> archiveOfAClass(const std::vector<RelativePath>& files,
+                                           const std::vector<Manifest>& course) {
+  const std::size_t depth = depthOfChildren(files, course);
+  std::map<std::string, std::set<std::string>> folders;
+  std::set<std::string> bare;
+  for (const RelativePath& file : files) {
+    if (file.size() <= depth || file.front() == "__MACOSX") continue;
+    if (file.size() == depth + 1) {
+      bare.insert(file.back());
+    } else {
+      addTopicsBelow(file, depth + 1, course, folders[file[depth]]);
+    }
+  }
+  Signs signs;
+  for (const std::string& name : bare)
+    look(
+        name, false, [] { return std::set<std::string>(); }, course, signs);
+  for (const auto& [name, topics] : folders) {
+    look(
+        name, true, [&topics = topics] { return topics; }, course, signs);
+  }
+  const std::optional<std::string> what = whatItHolds(signs);
+  if (!what) return std::nullopt;
+  return fmt::format("the archive holds {}: if that is a class, unpack it and type ./muelle grade --class FOLDER",
+                     *what);
 }
 
 }  // namespace muelle::grader

@@ -1,5 +1,6 @@
 #pragma once
 #include "course/manifest.h"
+#include "grader/intake/collector.h"
 
 #include <filesystem>
 #include <optional>
@@ -15,5 +16,9 @@ namespace muelle::grader {
 /// children named after one exercise with numbers (contact-1, contact-2) are students, one alone is a part of a
 /// hand-in.
 std::optional<std::string> looksLikeAClass(const std::filesystem::path& path, const std::vector<Manifest>& course);
+
+/// The same of an archive given as one submission, by the paths of its files: a note, since one student may hand in two
+/// versions so. nullopt when it is a submission.
+std::optional<std::string> archiveOfAClass(const std::vector<RelativePath>& files, const std::vector<Manifest>& course);
 
 }  // namespace muelle::grader

@@ -7,7 +7,7 @@
 namespace muelle::grader {
 
 /// The student's code did something else than return a value: crash, hang, forbidden call, malformed answer. The class
-/// says what; Outcome::Killed and Outcome::Wall may be the machine's doing, and whoever judges tries them once more.
+/// says what; Outcome::Killed, Wall and Struck may be the machine's doing, and whoever judges tries them once more.
 class SubmissionFault : public std::runtime_error {
  public:
   explicit SubmissionFault(const std::string& what, Outcome outcome = Outcome::Wrong, bool isConfirmed = false)

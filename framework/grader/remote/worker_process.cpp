@@ -80,6 +80,8 @@ SubmissionFault deathFault(const std::string& who, const std::string& cause) {
   };
   if (cause == "stack overflow") return fault(stackOverflowSentence, Outcome::Crash);
   if (cause == "floating-point trap") return fault(trapSentence, Outcome::Crash);
+  // By its own word: a submission may say so, too. Whoever judges tries once more.
+  if (cause == worker::signalFromOutside) return fault("was ended by a signal from outside", Outcome::Struck);
   if (cause == "segmentation fault" || cause == "bus error") return fault(badMemorySentence, Outcome::Crash);
   if (cause == "arithmetic exception") return fault(divisionSentence, Outcome::Crash);
   if (cause.starts_with(worker::uncaughtException)) {
@@ -197,6 +199,7 @@ void WorkerProcess::send(wire::FrameKind kind, std::uint64_t nonce, std::uint32_
     } else if (errno == EAGAIN) {
       waitFor(request_.write.get(), POLLOUT, patience, function);
     } else if (errno != EINTR) {
+      throwLastWords(function);
       reportEnd(function);
     }
   }
@@ -210,7 +213,9 @@ wire::Frame WorkerProcess::receive(std::uint64_t nonce, const Patience& patience
     throw SubmissionFault(fmt::format("{} answered with a message of {} bytes; the limit is {}", function,
                                       frame.header.bytes, wire::largestPayload));
   }
-  if (frame.header.nonce != nonce) throw SubmissionFault(function + " answered a question that was not asked");
+  // One may die between two questions: that earns nothing.
+  const bool isAsked = frame.header.nonce == nonce || frame.header.kind == wire::FrameKind::Died;
+  if (!isAsked) throw SubmissionFault(function + " answered a question that was not asked");
   frame.payload.resize(frame.header.bytes);
   readFully(frame.payload.data(), frame.payload.size(), patience, function);
   return frame;
@@ -277,6 +282,17 @@ void WorkerProcess::drainOutput() {
       outputCut_ = true;
     }
   }
+}
+
+void WorkerProcess::throwLastWords(const std::string& function) {
+  constexpr std::uint32_t longest = 2000;
+  wire::Frame frame;
+  if (read(reply_.read.get(), &frame.header, sizeof frame.header) != sizeof frame.header) return;
+  if (frame.header.kind != wire::FrameKind::Died || frame.header.bytes > longest) return;
+  frame.payload.resize(frame.header.bytes);
+  if (read(reply_.read.get(), frame.payload.data(), frame.payload.size()) != static_cast<ssize_t>(frame.header.bytes))
+    return;
+  throw deathFault(function, textOf(frame));
 }
 
 void WorkerProcess::reportEnd(const std::string& function) {

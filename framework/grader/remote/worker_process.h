@@ -93,6 +93,8 @@ class WorkerProcess {
   void load(const SessionLimits& limits);
   void expectConfined(const Patience& patience);
   wire::Frame loaded(std::chrono::milliseconds limit, const Patience& patience);
+  /// Of a process that no longer reads, and told of its death after its last answer.
+  void throwLastWords(const std::string& function);
   [[noreturn]] void reportEnd(const std::string& function);
 
   Pipe request_;

@@ -99,10 +99,11 @@ bool ExerciseRun::isExpected(const Verdict& verdict) {
   return verdict.outcome == Outcome::Cpu && verdict.graderFault.empty() && unreturned_.contains(verdict.timedOut);
 }
 
-/// A limit of processor time that was passed with nothing else running is the submission's: kept. What was killed, or
-/// passed a wide limit of wall time, is the machine's: not kept, so that the next run tries again.
+/// A limit of processor time that was passed with nothing else running is the submission's, and so is a signal of which
+/// its process told once more: kept. What was killed, or passed a wide limit of wall time, is the machine's: not kept,
+/// so that the next run tries again.
 void ExerciseRun::settle(const Criterion& criterion, Verdict verdict) {
-  if (verdict.outcome == Outcome::Cpu && verdict.graderFault.empty()) {
+  if (isOwnIfTwice(verdict)) {
     try {
       keepVerdict(grader_.workplace(), grader_.records(), *candidate_, criterion, grader_.options(), verdict);
     } catch (const std::exception& error) {

@@ -121,7 +121,11 @@ std::string toText(const Curves& curves) {
 
 bool isDoubtful(const Verdict& verdict) {
   return !verdict.graderFault.empty() || verdict.outcome == Outcome::Killed || verdict.outcome == Outcome::Wall ||
-         verdict.outcome == Outcome::Cpu;
+         isOwnIfTwice(verdict);
+}
+
+bool isOwnIfTwice(const Verdict& verdict) {
+  return verdict.graderFault.empty() && (verdict.outcome == Outcome::Cpu || verdict.outcome == Outcome::Struck);
 }
 
 std::optional<Verdict> keptVerdict(const Workplace& workplace, const Store& store, const Candidate& candidate,
@@ -179,7 +183,7 @@ Curves drawCurves(const Workplace& workplace, const Store& store, const Candidat
     const Verdict verdict = runHiddenProgram(workplace, candidate, curvesSuite, std::move(command), folder.path());
     if (!verdict.graderFault.empty()) return {{}, "the curves could not be drawn: " + verdict.graderFault};
     Curves curves{readSvgs(figures), verdict.fault};
-    const bool isCertain = verdict.outcome != Outcome::Killed && verdict.outcome != Outcome::Wall;
+    const bool isCertain = verdict.outcome == Outcome::Cpu || !isDoubtful(verdict);
     if (isCertain) {
       store.write(curvesKey(workplace, candidate.manifest, candidate.objectKey, options), curvesSuffix, toText(curves));
     }

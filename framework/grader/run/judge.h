@@ -29,6 +29,10 @@ Verdict judgeCriterion(const Workplace& workplace, const Store& store, const Can
 /// True for a verdict of a death or a wide limit: to be tried once more, alone.
 bool isDoubtful(const Verdict& verdict);
 
+/// True for a doubtful verdict that is the submission's when the second try says the same: a limit of processor time,
+/// and a death of which the submission's own process tells, which could hold up a class for ever.
+bool isOwnIfTwice(const Verdict& verdict);
+
 /// Keeps a verdict that a second try alone has confirmed.
 void keepVerdict(const Workplace& workplace, const Store& store, const Candidate& candidate, const Criterion& criterion,
                  const GradeOptions& options, const Verdict& verdict);

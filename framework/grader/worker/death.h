@@ -6,6 +6,9 @@ namespace muelle::grader::worker {
 /// How the cause begins when nobody caught an exception; its text follows.
 inline constexpr std::string_view uncaughtException = "uncaught exception: ";
 
+/// The cause when a signal came that nothing in the process has caused.
+inline constexpr std::string_view signalFromOutside = "signal from outside";
+
 /// Tells the test process the cause of death and ends the process. Allocates nothing: the heap may be broken.
 [[noreturn]] void dieSaying(const char* cause);
 

@@ -96,8 +96,12 @@ class Port : public worker::HostPort {
   _exit(failure);
 }
 
+/// What another process has sent; only abort() sends one from within.
+bool isFromOutside(const siginfo_t& info) { return info.si_code <= 0 && info.si_pid != getpid(); }
+
 /// A fault near the stack pointer is a stack that has outgrown its limit.
 void onFault(int signal, siginfo_t* info, void* context) {
+  if (isFromOutside(*info)) die(worker::signalFromOutside.data());
   const auto* machine = static_cast<const ucontext_t*>(context);
   const auto address = reinterpret_cast<std::uintptr_t>(info->si_addr);
   const auto stackPointer = static_cast<std::uintptr_t>(machine->uc_mcontext.gregs[REG_RSP]);
@@ -109,6 +113,12 @@ void onFault(int signal, siginfo_t* info, void* context) {
   if (signal == SIGSEGV && overflow) die("stack overflow");
   if (signal == SIGFPE && info->si_code != FPE_INTDIV) die("floating-point trap");
   die(signal == SIGSEGV ? "segmentation fault" : signal == SIGBUS ? "bus error" : "arithmetic exception");
+}
+
+/// Lets the process end as it would have: of abort(), of an instruction that there is not.
+void onEnd(int signal, siginfo_t* info, void*) {
+  if (isFromOutside(*info)) die(worker::signalFromOutside.data());
+  if (signal == SIGABRT) raise(signal);  // the handler is gone; an instruction meets its fault again
 }
 
 /// As out of a noexcept function. Whatever goes wrong on the way calls it again.
@@ -138,6 +148,9 @@ void installHandlers() {
   action.sa_sigaction = onFault;
   action.sa_flags = static_cast<int>(SA_SIGINFO | SA_ONSTACK | SA_RESETHAND);
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGSYS}) sigaction(signal, &action, nullptr);
+  action.sa_sigaction = onEnd;
+  action.sa_flags |= static_cast<int>(SA_NODEFER);
+  for (const int signal : {SIGABRT, SIGILL}) sigaction(signal, &action, nullptr);
   std::set_terminate(onTerminate);
 }
 

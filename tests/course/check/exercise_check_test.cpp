@@ -452,6 +452,11 @@ TEST_F(Check, UninitialisedMemoryIsNamedBeforeAnyOtherName) {
   EXPECT_EQ(report.outcome, Outcome::NeverWritten);
   EXPECT_EQ(run("Vec3 twice(const Vec3& x) { double f; f += 2; return f * x; }\n" + entry).outcome,
             Outcome::NeverWritten);
+  EXPECT_EQ(
+      run("Vec3 twice(const Vec3& x) { muelle::VecX y = x; y.conservativeResize(9); return 2 * x + y.tail<3>(); }\n" +
+          entry)
+          .outcome,
+      Outcome::NeverWritten);
 }
 
 TEST_F(Check, AnExpressionOfTemporariesThatAreGoneIsConfirmedAtItsLine) {

@@ -118,6 +118,18 @@ TEST_F(Fault, AWorkerThatIsKilled) {
   expectOurs([] { return std::make_unique<Hunter>("host", SIGKILL); }, [] {});
 }
 
+/// By hand, or by a stranger's script: the process tells that it did not do so itself, which is believed once.
+TEST_F(Fault, AWorkerThatIsStruckOnceIsTriedAgainAtOnce) {
+  for (const int signal : {SIGSEGV, SIGABRT}) {
+    for (const Sources* sources : {&honest(), &wrong()}) {
+      const Hunter hunter("host", signal, 1);
+      expectUndisturbed(grade(*sources), *sources);
+      EXPECT_EQ(hunter.hits(), 1);
+      remove_all(workplace_.kept);
+    }
+  }
+}
+
 TEST_F(Fault, AWorkerThatIsStoppedPastItsWallLimit) {
   expectOurs(
       [this] {

@@ -182,6 +182,26 @@ TEST_F(ClassHint, IsNotGivenForCopiesOfAnExercisesFolder) {
   EXPECT_EQ(whyAClass(), "");
 }
 
+/// As a server packs a class: in a folder or without, hand-ins as folders or as archives.
+TEST_F(ClassHint, IsANoteOnAnArchiveOfAClass) {
+  using Files = std::vector<ArchiveEntry>;
+  const auto noteOn = [this](const Files& files) {
+    writeArchive(folder_.path() / "a.zip", Format::Zip, files);
+    return archiveOfAClass(takeSubmission(folder_.path() / "a.zip", smallCourse()).archived, smallCourse())
+        .value_or("");
+  };
+  const std::string advice = "if that is a class, unpack it and type ./muelle grade --class FOLDER";
+  EXPECT_EQ(noteOn({{"ana/spring_1d.cpp", "1"}, {"ben/spring_1d/spring_1d.cpp", "2"}, {"cid/triangle.cpp", "3"}}),
+            "the archive holds 2 hand-ins: " + advice);
+  EXPECT_EQ(noteOn({{"class/Ana_7_assignsubmission_file_/x.cpp", "1"}, {"class/Bo_8_assignsubmission_file_/y", "2"}}),
+            "the archive holds 2 hand-ins: " + advice);
+  EXPECT_EQ(noteOn({{"spring_1d/spring_1d.cpp", "1"}, {"triangle/triangle.cpp", "2"}}), "");
+  EXPECT_EQ(noteOn({{"work/spring_1d/spring_1d.cpp", "1"}, {"work/triangle/triangle.cpp", "2"}}), "");
+  EXPECT_EQ(noteOn({{"week 1/spring_1d.cpp", "1"}, {"week 2/triangle.cpp", "2"}}), "");
+  EXPECT_EQ(noteOn({{"spring_1d.cpp", "1"}, {"old/spring_1d.cpp", "1"}, {"older/spring_1d.cpp", "1"}}), "");
+  EXPECT_EQ(noteOn({{"exercises/spring_1d/spring_1d.cpp", "1"}, {"exercises/triangle/triangle.cpp", "2"}}), "");
+}
+
 TEST_F(ClassHint, IsNotGivenForOneHandIn) {
   folder_.write("spring_1d/spring_1d.cpp", "");
   folder_.write("triangle/triangle.cpp", "");

@@ -9,6 +9,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -64,6 +65,21 @@ TEST_F(Blame, KilledFromOutsideIsTheMachines) {
   EXPECT_EQ(callWithSignal(SIGTERM), Outcome::Killed) << session().fault();
 }
 
+/// The worker's word alone: `grade` asks once more before it believes it.
+TEST_F(Blame, StruckFromOutsideIsToldFromAFaultOfItsOwn) {
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGSYS, SIGABRT, SIGILL}) {
+    EXPECT_EQ(callWithSignal(signal), Outcome::Struck) << strsignal(signal) << ": " << session().fault();
+  }
+}
+
+TEST_F(Blame, StruckBetweenTwoCallsIsToldAtTheNext) {
+  submission::sum(1, 2, false);
+  kill(session().hostPid(), SIGSEGV);
+  waitForEnd(session().hostPid());
+  EXPECT_THROW(submission::sum(1, 2, false), SubmissionFault);
+  EXPECT_EQ(session().outcome(), Outcome::Struck) << session().fault();
+}
+
 TEST_F(Blame, KilledSandboxIsTheMachines) {
   submission::sum(1, 2, false);
   kill(session().workerPid(), SIGKILL);
@@ -98,8 +114,8 @@ TEST_F(Blame, NothingOutsideIsEmptiedWithoutASandboxEither) {
 }
 
 TEST_F(Blame, FreshMemoryHoldsTheSameSenselessNumbers) {
-  const double sum = submission::misbehave(SumOfFreshMemory);
-  EXPECT_LT(sum, -1e300) << "four times 0xfefe...";
+  EXPECT_LT(submission::misbehave(SumOfFreshMemory), -1e300) << "four times 0xfefe...";
+  EXPECT_LT(submission::misbehave(SumOfGrownMemory), -1e300) << "realloc() fills nothing by itself";
 }
 
 }  // namespace
