@@ -172,11 +172,7 @@ const State& Simulation::at(double t) {
     throw std::out_of_range(
         fmt::format("at: t = {} s is not in the last step, which goes from {} to {} s", t, stepBegin(), state_.t));
   }
-  // The dense output is that of the step, whose end had not been committed.
-  const bool switches = system_.switching() != nullptr;
-  if (switches) std::swap(state_.z, zOfStepEnd_);
   method_.interpolate(system_, other_, state_, (t - other_.t) / (state_.t - other_.t), inside_);
-  if (switches) std::swap(state_.z, zOfStepEnd_);
   inside_.t = t;
   return inside_;
 }
@@ -268,7 +264,6 @@ Advance Simulation::finishStep(const PlannedStep& step) {
 void Simulation::move(const PlannedStep& step) {
   std::swap(state_, other_);
   hasStep_ = toAccept_ = true;
-  if (system_.switching() != nullptr) zOfStepEnd_ = state_.z;
   ++work_.steps;
   smallestStep_ = std::min(smallestStep_, step.length);
   if (adaptive_) {

@@ -123,9 +123,8 @@ class Simulation {
   Integrator& method_;
   StepOptions options_;
   bool adaptive_;
-  State state_, other_;             // other_: the begin of the last step, or the end of one that is tried
-  std::vector<double> zOfStepEnd_;  // before commits at the end of the last step
-  State inside_;                    // what at() returns
+  State state_, other_;  // other_: the begin of the last step, or the end of one that is tried
+  State inside_;         // what at() returns
   Stepper stepper_;
   StepPlanner planner_;
   ModeKeeper modes_;
