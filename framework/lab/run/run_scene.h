@@ -1,5 +1,6 @@
 #pragma once
 #include "engine/scene/scene.h"
+#include "lab/run/energy_balance.h"
 
 #include <algorithm>
 #include <memory>
@@ -58,6 +59,7 @@ struct SceneRun {
   engine::MethodInfo method;
   engine::RunOptions options;  ///< without probes: they refer to the system
   engine::RunResult result;
+  EnergyBalance energy;
   std::optional<ErrorEstimate> error;
 };
 
