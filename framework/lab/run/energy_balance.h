@@ -1,6 +1,6 @@
 #pragma once
-#include "engine/model/model_system.h"
 #include "engine/control/simulate.h"
+#include "engine/model/model_system.h"
 
 #include <string>
 
