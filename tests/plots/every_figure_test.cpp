@@ -16,7 +16,7 @@ TEST_P(EveryFigure, IsComputed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Lecture, EveryFigure, ::testing::ValuesIn(lectureFigures()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& figure) { return figure.param.name; });
 
 }  // namespace
 }  // namespace muelle::plots
