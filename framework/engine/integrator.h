@@ -31,7 +31,7 @@ struct StepResult {
 };
 
 /// A method that advances a system by one step and does nothing else: step control, events, output, commits and failure
-/// reports belong to simulate().
+/// reports belong to Simulation.
 class Integrator {
  public:
   virtual ~Integrator() = default;
@@ -56,8 +56,10 @@ class Integrator {
   virtual void restart() {}
   /// Called when the last step() was accepted: methods with memory shift it here, so that a rejected step leaves none.
   virtual void accept() {}
-  /// The state inside the last step, theta in [0, 1], for output and to find events. The default is the quintic (x) and
-  /// cubic (v) Hermite interpolant, with two force evaluations a step; methods with a dense output of their own use it.
+  /// The state inside the last step, theta in [0, 1], for output and to find events; asked for only between step() and
+  /// the accept() or restart() that follows it. The default is the quintic (x) and cubic (v) Hermite interpolant, with
+  /// two force evaluations a step; methods with a dense output of their own use it. None looks at to.z, which may have
+  /// been committed already.
   virtual void interpolate(const DynamicalSystem& system, const State& from, const State& to, double theta, State& out);
 
   /// What the tolerance is a part of, from the next step on. Without a call 1 m and 1 m/s.

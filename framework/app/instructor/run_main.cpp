@@ -6,7 +6,6 @@
 #include "base/text/printable.h"
 #include "engine/integrators/catalogue.h"
 #include "figures/write.h"
-#include "lab/run/energy_balance.h"
 #include "lab/run/error_estimate.h"
 #include "lab/run/run_scene.h"
 #include "lab/run/scene_figures.h"
@@ -82,13 +81,12 @@ int run(const Command& command) {
   fmt::print("{}", summaryOf(scene, result));
   writeResults(command, scene, result);
   std::fflush(stdout);
-  const EnergyBalance balance = energyBalance(scene, result);
   if (result.result.failed()) {
     fmt::print(stderr, "muelle: {}: {}\n", scene.name, muelle::printableLine(result.result.trajectory.stop.message));
-  } else if (balance.fails()) {
-    fmt::print(stderr, "muelle: {}: {}\n", scene.name, energyFailure(balance));
+  } else if (result.energy.fails()) {
+    fmt::print(stderr, "muelle: {}: {}\n", scene.name, energyFailure(result.energy));
   }
-  return result.result.failed() || balance.fails() ? 1 : 0;
+  return result.result.failed() || result.energy.fails() ? 1 : 0;
 }
 
 int parseAndRun(int argc, char** argv) {

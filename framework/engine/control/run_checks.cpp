@@ -16,7 +16,7 @@ void require(bool holds, const std::string& message) {
 
 bool isPositive(double value) { return value > 0.0 && std::isfinite(value); }
 
-void checkStep(const RunOptions& options, bool adaptive) {
+void checkStep(const StepOptions& options, bool adaptive) {
   if (adaptive) {
     require(options.h == 0.0 || isPositive(options.h),
             fmt::format("the first step h is {} s; it must be positive and finite, or 0 to be chosen", options.h));
@@ -33,42 +33,45 @@ void checkStep(const RunOptions& options, bool adaptive) {
           fmt::format("{} s in steps of {} s are too many steps", options.duration, options.h));
 }
 
-void checkOutputs(const RunOptions& options, const State& start) {
-  require(options.outputInterval >= 0.0 && std::isfinite(options.outputInterval),
-          fmt::format("outputInterval is {} s; it must be positive, or 0 for every step", options.outputInterval));
-  require(options.outputInterval == 0.0 || options.duration / options.outputInterval < 1e9,
-          fmt::format("{} s with an output every {} s are too many outputs", options.duration, options.outputInterval));
-  for (const std::vector<double>* times : {&options.outputTimes, &options.sampleTimes}) {
-    double before = start.t;
-    for (const double t : *times) {
-      require(t >= before && t <= start.t + options.duration,
-              fmt::format("the output time {} s is out of order or outside the run from {} to {} s", t, start.t,
-                          start.t + options.duration));
-      before = t;
-    }
-  }
-  for (const Probe& probe : options.probes) {
-    require(static_cast<bool>(probe.measure), "the probe '" + probe.name + "' has no function");
+/// \param times of outputs [s]
+void checkTimes(const std::vector<double>& times, const State& start, double duration) {
+  double before = start.t;
+  for (const double t : times) {
+    require(t >= before && t <= start.t + duration,
+            fmt::format("the output time {} s is out of order or outside the run from {} to {} s", t, start.t,
+                        start.t + duration));
+    before = t;
   }
 }
 
 }  // namespace
 
-void checkOptions(const RunOptions& options, const State& start, bool adaptive) {
+void checkOutputOptions(const RunOptions& options, const State& start) {
+  require(options.outputInterval >= 0.0 && std::isfinite(options.outputInterval),
+          fmt::format("outputInterval is {} s; it must be positive, or 0 for every step", options.outputInterval));
+  require(options.outputInterval == 0.0 || options.duration / options.outputInterval < 1e9,
+          fmt::format("{} s with an output every {} s are too many outputs", options.duration, options.outputInterval));
+  checkTimes(options.sampleTimes, start, options.duration);
+  for (const Probe& probe : options.probes) {
+    require(static_cast<bool>(probe.measure), "the probe '" + probe.name + "' has no function");
+  }
+}
+
+void checkStepOptions(const StepOptions& options, const State& start, bool adaptive) {
   require(isPositive(options.duration),
           fmt::format("the duration is {} s; it must be positive and finite", options.duration));
   require(
       start.t + options.duration > start.t,
       fmt::format("the duration of {} s is lost in the rounding of the start time {} s", options.duration, start.t));
   checkStep(options, adaptive);
-  checkOutputs(options, start);
+  checkTimes(options.outputTimes, start, options.duration);
   require(options.explosion > 0.0, fmt::format("explosion is {}; it must be positive", options.explosion));
   require(options.mostSteps > 0 && options.mostForceEvaluations > 0,
           "the limits of steps and force evaluations must "
           "be positive");
 }
 
-void checkForesight(const DynamicalSystem& system, const MethodInfo& method, const RunOptions& options) {
+void checkForesight(const DynamicalSystem& system, const MethodInfo& method, const StepOptions& options) {
   const bool blind = method.adaptive && !options.fixedStep && system.hasUnannouncedForce();
   require(!blind || std::isfinite(options.largestStep),
           fmt::format("a force changes with time without declared times, and {} could step over it; set largestStep "

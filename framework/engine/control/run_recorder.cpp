@@ -62,22 +62,20 @@ double RunRecorder::due() const {
   return index < samples.size() ? samples[index] : std::numeric_limits<double>::infinity();
 }
 
-void RunRecorder::recordInside(const DynamicalSystem& system, Integrator& method, const State& from, const State& to) {
-  endDue_ = options_.outputInterval == 0.0 && options_.sampleTimes.empty();
-  if (endDue_) return;
-  const double h = to.t - from.t;
-  const double near = 1e-9 * h + timeRounding(from.t, to.t);  // then the step's end itself is the output
-  for (; due() <= to.t + near; ++next_) {
-    endDue_ = due() >= to.t - near;
-    if (endDue_) continue;
-    method.interpolate(system, from, to, (due() - from.t) / h, inside_);
-    inside_.t = due();
-    record(inside_);
+bool RunRecorder::recordInside(Simulation& simulation) {
+  if (options_.outputInterval == 0.0 && options_.sampleTimes.empty()) return true;
+  const double begin = simulation.stepBegin(), end = simulation.time();
+  const double near = 1e-9 * (end - begin) + timeRounding(begin, end);  // then the step's end itself is the output
+  bool endDue = false;
+  for (; due() <= end + near; ++next_) {
+    endDue = due() >= end - near;
+    if (!endDue) record(simulation.at(due()));
   }
+  return endDue;
 }
 
-void RunRecorder::recordEnd(const State& state, bool asked) {
-  if (endDue_ || asked) record(state);
+void RunRecorder::recordStep(Simulation& simulation, bool asked) {
+  if (recordInside(simulation) || asked) record(simulation.state());
 }
 
 Trajectory RunRecorder::finish(StopReport stop) {

@@ -1,5 +1,6 @@
 #pragma once
 #include "engine/control/simulate.h"
+#include "engine/control/simulation.h"
 
 namespace muelle::engine {
 
@@ -11,11 +12,9 @@ class RunRecorder {
   void record(const State& state);
   /// Records the state unless it is the one recorded last.
   void recordOnce(const State& state);
-  /// Records the outputs that lie inside the step from `from` to `to`, by the method's dense output. To be called
-  /// before the method's accept().
-  void recordInside(const DynamicalSystem& system, Integrator& method, const State& from, const State& to);
-  /// Records `state`, which a step has reached, when an output is due there.
-  void recordEnd(const State& state, bool asked);
+  /// Records the outputs that lie inside the simulation's last step, by dense output, and its end when an output is due
+  /// there or `asked` for.
+  void recordStep(Simulation& simulation, bool asked);
   Trajectory finish(StopReport stop);
   /// One output in so many is kept, so that they fit into the memory that they may take; a power of 2.
   long long kept() const { return stride_; }
@@ -24,6 +23,8 @@ class RunRecorder {
   /// The next output time; infinite when none is left, or when every step is recorded.
   double due() const;
 
+  /// Records what is due inside the step; whether its end is due, too.
+  bool recordInside(Simulation& simulation);
   void append(const State& state);
   void thin();
 
@@ -32,8 +33,6 @@ class RunRecorder {
   long long stride_ = 1;
   long long count_ = 0;  // of the outputs, recorded or not
   long long next_ = 1;   // the next multiple of the output interval, or sample time counted from 1
-  bool endDue_ = false;
-  State inside_;
   Trajectory trajectory_;
 };
 

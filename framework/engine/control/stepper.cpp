@@ -1,5 +1,6 @@
 #include "engine/control/stepper.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace muelle::engine {
@@ -43,6 +44,11 @@ StepResult Stepper::step(const State& from, double h, double t, State& to) {
   }
   to.t = t;
   return result;
+}
+
+void Stepper::forget() {
+  std::ranges::fill(low_.x, 0.0);
+  std::ranges::fill(low_.v, 0.0);
 }
 
 void Stepper::accept() {

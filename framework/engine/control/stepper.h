@@ -20,6 +20,8 @@ class Stepper {
   StepResult step(const State& from, double h, double t, State& to);
   /// The last step was accepted: its low parts become those of the state. The method's accept() is called.
   void accept();
+  /// The state was put elsewhere: it has no low parts.
+  void forget();
 
  private:
   struct Low {

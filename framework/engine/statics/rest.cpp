@@ -2,7 +2,6 @@
 
 #include "engine/model/axes.h"
 #include "engine/statics/at_rest.h"
-#include "engine/statics/cusp.h"
 #include "engine/statics/equilibrium.h"
 #include "engine/statics/softer_springs.h"
 #include "engine/statics/support.h"
@@ -109,11 +108,14 @@ void RestSearch::placeAtTime() {
 }
 
 bool RestSearch::onCusp() {
-  const std::vector<int> built = nodesOnACusp(still_, result_.state, elementSize());
+  result_.cusps = singularPoints(system_, result_.state);
   result_.nodes.clear();
-  for (const int node : built) result_.nodes.push_back(nodeOf(node * system_.dimension()));
+  for (const SingularPoint& cusp : result_.cusps) {
+    result_.nodes.insert(result_.nodes.end(), cusp.nodes.begin(), cusp.nodes.end());
+  }
   std::ranges::sort(result_.nodes);
-  return !built.empty();
+  result_.nodes.erase(std::ranges::unique(result_.nodes).begin(), result_.nodes.end());
+  return !result_.cusps.empty();
 }
 
 void RestSearch::take(const TensionForm& form, const Imbalance& imbalance) {

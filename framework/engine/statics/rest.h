@@ -1,5 +1,6 @@
 #pragma once
 #include "engine/model/model_system.h"
+#include "engine/model/singular_points.h"
 #include "engine/work.h"
 
 #include <string>
@@ -43,8 +44,9 @@ struct RestResult {
   bool isLowest = false;  ///< no other shape has less energy: no spring pushes, and springs and loads are all there is
   bool byForceDensity = false;  ///< found from force densities and not from the scene's start
   int saddlesLeft = 0;
-  double furthest = 0.0;        ///< largest way of a node from its start [m]
-  std::vector<int> nodes;       ///< on a cusp; unsupported
+  double furthest = 0.0;   ///< largest way of a node from its start [m]
+  std::vector<int> nodes;  ///< on a cusp; unsupported
+  std::vector<SingularPoint> cusps;
   Vec3 carried = Vec3::Zero();  ///< the load that nothing carries [N], of Unsupported
   Work work;
 

@@ -51,27 +51,12 @@ std::string springName(const Model& model, std::size_t i) {
   return fmt::format("spring {}, between nodes {} and {}", i, model.springs[i].a, model.springs[i].b);
 }
 
-/// A spring at one of the nodes whose ends lie at one place, for the message of a cusp.
-std::string springWithoutDirection(const SceneAtRest& rest) {
-  const Model& model = rest.system->model();
-  for (std::size_t i = 0; i < model.springs.size(); ++i) {
-    const ModelSpring& s = model.springs[i];
-    if (!(s.L0 > 0.0) || !(s.k > 0.0) ||
-        (!isFree(model.nodes[static_cast<std::size_t>(s.a)]) && !isFree(model.nodes[static_cast<std::size_t>(s.b)]))) {
-      continue;
-    }
-    const Vec3 a = rest.system->position(rest.result.state, s.a);
-    const Vec3 b = rest.system->position(rest.result.state, s.b);
-    if ((a - b).norm() <= 1e-9 * s.L0) {
-      return fmt::format("; {}, has length 0 (L0 = {:.4g} m) and no direction", springName(model, i), s.L0);
-    }
-  }
-  return {};
-}
-
 std::string cuspLine(const SceneAtRest& rest) {
-  return fmt::format("cusp: at {} the energy has no gradient, so no force can be judged{}", nodeList(rest.result.nodes),
-                     springWithoutDirection(rest));
+  const std::vector<SingularPoint>& cusps = rest.result.cusps;
+  std::string text = fmt::format("cusp: at {} the energy has no gradient, so no force can be judged; {}",
+                                 nodeList(rest.result.nodes), describe(rest.system->model(), cusps.front()));
+  if (cusps.size() > 1) text += fmt::format(" (and {} more such)", cusps.size() - 1);
+  return text;
 }
 
 std::string unsupportedLine(const SceneAtRest& rest) {

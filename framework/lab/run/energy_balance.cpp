@@ -66,15 +66,15 @@ double sumOfForces(const ModelSystem& system, const State& state) {
 
 /// The factor by which the method's own energy may differ from the true one, over the modes of the system with
 /// everything closed that may close; at steps for which no mode of it is known (implicit methods) over all of them.
-double largestSwing(const Scene& scene, const SceneRun& run) {
-  const std::unique_ptr<Integrator> method = makeMethod(scene.method);
+double largestSwing(const ModelSystem& system, const std::string& id, const RunOptions& options) {
+  const std::unique_ptr<Integrator> method = makeMethod(id);
   Amplification amplification(*method);
   double swing = 1.0;
-  if (!run.options.fixedStep) return swing;
-  State state = run.system->initialState();
-  if (run.system->switching() != nullptr) run.system->switching()->close(state);
-  for (const Mode& mode : extremeModes(LinearisedSystem(*run.system, state))) {
-    if (mode.stiffness > 0.0) swing = std::max(swing, amplification.energySwing(run.options.h * mode.frequency()));
+  if (!options.fixedStep) return swing;
+  State state = system.initialState();
+  if (system.switching() != nullptr) system.switching()->close(state);
+  for (const Mode& mode : extremeModes(LinearisedSystem(system, state))) {
+    if (mode.stiffness > 0.0) swing = std::max(swing, amplification.energySwing(options.h * mode.frequency()));
   }
   return swing;
 }
@@ -110,11 +110,12 @@ std::string energyFailure(const EnergyBalance& balance) {
       balance.highest, balance.scale > 0.0 ? balance.highest / balance.scale : 0.0, balance.scale);
 }
 
-EnergyBalance energyBalance(const Scene& scene, const SceneRun& run) {
-  const std::vector<double>& E = run.result.trajectory.track("total energy");
+EnergyBalance energyBalance(const ModelSystem& system, const std::string& method, const RunOptions& options,
+                            const RunResult& result) {
+  const std::vector<double>& E = result.trajectory.track("total energy");
   EnergyBalance balance;
-  balance.fate = energyFate(*run.system);
-  balance.scale = energyScale(*run.system);
+  balance.fate = energyFate(system);
+  balance.scale = energyScale(system);
   balance.start = E.front();
   balance.end = E.back() - E.front();
   for (const double energy : E) {
@@ -122,17 +123,16 @@ EnergyBalance energyBalance(const Scene& scene, const SceneRun& run) {
     balance.lowest = std::min(balance.lowest, energy - E.front());
   }
   if (balance.fate != EnergyFate::Open && balance.highest > mostGain * balance.scale) {
-    balance.allowed = (largestSwing(scene, run) - 1.0) * balance.scale;
+    balance.allowed = (largestSwing(system, method, options) - 1.0) * balance.scale;
   }
   return balance;
 }
 
-double lostEnergy(const ModelSystem& system, const RunResult& finest) {
-  if (energyFate(system) != EnergyFate::Kept) return 0.0;
+double lostEnergy(const EnergyBalance& balance, const RunResult& finest) {
+  if (balance.fate != EnergyFate::Kept) return 0.0;
   const std::vector<double>& E = finest.trajectory.track("total energy");
   const auto late = E.end() - std::max<std::ptrdiff_t>(1, std::ssize(E) / 3);
-  const double scale = energyScale(system);
-  return scale > 0.0 ? (E.front() - *std::max_element(late, E.end())) / scale : 0.0;
+  return balance.scale > 0.0 ? (E.front() - *std::max_element(late, E.end())) / balance.scale : 0.0;
 }
 
 }  // namespace muelle::lab

@@ -1,7 +1,6 @@
 #pragma once
+#include "engine/control/simulate.h"
 #include "engine/model/model_system.h"
-#include "engine/scene/scene.h"
-#include "lab/run/run_scene.h"
 
 #include <string>
 
@@ -38,13 +37,16 @@ struct EnergyBalance {
 };
 /// One sentence for a balance that fails: by how much, and what to do.
 std::string energyFailure(const EnergyBalance& balance);
+/// \param method  id of the run's
 /// Throws std::out_of_range when the run has not measured its energy.
-EnergyBalance energyBalance(const engine::Scene& scene, const SceneRun& run);
+EnergyBalance energyBalance(const engine::ModelSystem& system, const std::string& method,
+                            const engine::RunOptions& options, const engine::RunResult& result);
 
 /// Beyond this share of an energy that should be kept a run's loss says that it is of another motion.
 inline constexpr double mostLoss = 0.1;
 /// The part of the energy scale that `finest` has lost for good, over its last third, where all of it should be kept; 0
 /// elsewhere.
-double lostEnergy(const engine::ModelSystem& system, const engine::RunResult& finest);
+/// \param balance  of a run of the same scene
+double lostEnergy(const EnergyBalance& balance, const engine::RunResult& finest);
 
 }  // namespace muelle::lab

@@ -1,7 +1,6 @@
 #include "lab/run/error_estimate.h"
 
 #include "engine/integrators/catalogue.h"
-#include "lab/run/energy_balance.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -137,7 +136,7 @@ double shortestStretch(const engine::DynamicalSystem& system, double duration) {
 std::string sharedMistake(const Scene& scene, const SceneRun& run) {
   const double duration = run.options.duration;
   if (run.result.failed()) return "the run did not reach its end";
-  if (energyBalance(scene, run).fails()) return "the run gains energy that nothing gives";
+  if (run.energy.fails()) return "the run gains energy that nothing gives";
   if (!run.options.fixedStep) {
     return run.result.work.steps < 2 ? "the whole run is one step" : "";
   }
@@ -250,7 +249,7 @@ class Estimator {
 
   ErrorEstimate settle(const RunResult& finest, const Scale& scale, const Sizes& difference, double factor,
                        std::string how) {
-    const double loss = lostEnergy(*run_.system, finest);
+    const double loss = lostEnergy(run_.energy, finest);
     if (loss > mostLoss) return failure(lossSentence(loss));
     ErrorEstimate estimate;
     estimate.how = std::move(how);

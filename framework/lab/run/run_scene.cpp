@@ -2,9 +2,8 @@
 
 #include "base/text/count.h"
 #include "engine/integrators/catalogue.h"
-#include "engine/model/singular_starts.h"
+#include "engine/model/singular_points.h"
 #include "engine/scene/selection.h"
-#include "lab/run/energy_balance.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -197,7 +196,11 @@ SceneRun runScene(const Scene& scene, const std::string& label, double available
   RunOptions options = run.options;
   options.probes = probesOf(scene, *run.system);
   run.result = simulate(*run.system, *method, run.system->initialState(), options);
-  const std::vector<std::string> singular = singularStarts(scene.model);
+  run.energy = energyBalance(*run.system, run.method.id, run.options, run.result);
+  std::vector<std::string> singular;
+  for (const SingularPoint& point : singularPoints(*run.system, run.system->initialState())) {
+    singular.push_back("at the start " + describe(scene.model, point));
+  }
   run.result.warnings.insert(run.result.warnings.begin(), singular.begin(), singular.end());
   return run;
 }
@@ -234,9 +237,8 @@ Trajectory trajectoryOf(const SceneRun& run) {
 
 std::string summaryOf(const Scene& scene, const SceneRun& run) {
   const RunResult& result = run.result;
-  const EnergyBalance balance = energyBalance(scene, run);
   std::string text = fmt::format("{}: {}\n", scene.name, scene.title);
-  if (balance.fails()) text += line("FAILED", energyFailure(balance));
+  if (run.energy.fails()) text += line("FAILED", energyFailure(run.energy));
   text += line("scene", sizeLine(scene, run));
   for (const std::string& warning : scene.warnings) text += line("warning", warning);
   text += line("method", fmt::format("{}, order {}", run.method.name, run.method.order));
@@ -244,7 +246,7 @@ std::string summaryOf(const Scene& scene, const SceneRun& run) {
   text += line("time", timeLine(run));
   text += line("error", errorLine(run));
   if (run.error && run.error->failure.empty()) text += outputErrorLines(scene, *run.error);
-  text += line("energy", energyLine(balance));
+  text += line("energy", energyLine(run.energy));
   text += line("work", workLine(result.work));
   for (std::size_t i = 0; i < std::min(result.warnings.size(), shownWarnings); ++i) {
     text += line("warning", result.warnings[i]);

@@ -1,5 +1,6 @@
 #pragma once
 #include "engine/scene/scene.h"
+#include "lab/run/energy_balance.h"
 #include "lab/run/foresight.h"
 
 #include <algorithm>
@@ -59,6 +60,7 @@ struct SceneRun {
   engine::MethodInfo method;
   engine::RunOptions options;  ///< without probes: they refer to the system
   engine::RunResult result;
+  EnergyBalance energy;
   std::optional<ErrorEstimate> error;
 };
 

@@ -1,5 +1,7 @@
 #include "lab/run/energy_balance.h"
 
+#include "lab/run/run_scene.h"
+
 #include "engine/analysis/amplification.h"
 #include "engine/integrators/catalogue.h"
 #include "support/scene_text.h"
@@ -34,7 +36,7 @@ Scene bouncing(const char* method, double h) {
   return scene;
 }
 
-EnergyBalance balanceOf(const Scene& scene) { return energyBalance(scene, runScene(scene)); }
+EnergyBalance balanceOf(const Scene& scene) { return runScene(scene).energy; }
 
 TEST(EnergySwing, IsThatOfTheModifiedEnergy) {
   for (const double z : {0.1, 0.5, 1.0, 1.5, 1.9}) {

@@ -34,7 +34,7 @@ TEST(Run, FollowsTheOscillator) {
   EXPECT_NEAR(result.result.last.x[0], exactPosition(1.0), 1e-10);
   EXPECT_NEAR(result.result.trajectory.track("position of the mass").back(), exactPosition(1.0), 1e-10);
   EXPECT_NEAR(result.result.trajectory.track("total energy").front(), 2.0, 1e-14);
-  const EnergyBalance balance = energyBalance(scene, result);
+  const EnergyBalance& balance = result.energy;
   EXPECT_EQ(balance.fate, EnergyFate::Kept);
   EXPECT_LT(balance.highest - balance.lowest, 1e-9);
   // Elastic energy 100 (0.2)^2 / 2 = 2 J, and a force of 20 N along the extent of 1.2 m.

@@ -70,7 +70,7 @@ TEST(ColumnAtRest, EverySpringCarriesWhatLiesAboveIt) {
 
 TEST(BouncingBall, ComesBackToItsHeight) {
   const SceneRun run = runScene(shipped("bouncing_ball"));
-  const EnergyBalance balance = energyBalance(shipped("bouncing_ball"), run);
+  const EnergyBalance& balance = run.energy;
   EXPECT_EQ(balance.fate, EnergyFate::Kept);
   // At the outputs in flight; inside the contact the method's energy swings by (h omega)^2 / 8 = 3e-3 of its size.
   EXPECT_LT(balance.highest - balance.lowest, 0.01 * balance.scale);

@@ -18,16 +18,9 @@ namespace {
 using Vector = Eigen::VectorXd;
 
 MethodInfo rattleInfo() {
-  MethodInfo info;
+  MethodInfo info = velocityVerlet()->info();  // which it is without rods
   info.id = "rattle";
   info.name = "RATTLE";
-  info.order = 2;
-  info.stages = 1;
-  info.symplectic = true;
-  info.reversible = true;
-  info.conservesMomentum = true;
-  info.conservesAngularMomentum = true;
-  info.imaginaryLimit = 2.0;
   info.realLimit = 0.0;
   info.needs.velocityFreeForce = true;
   info.holdsRods = true;
