@@ -63,13 +63,16 @@ double RunRecorder::due() const {
 }
 
 void RunRecorder::recordInside(const DynamicalSystem& system, Integrator& method, const State& from, const State& to) {
-  endDue_ = options_.outputInterval == 0.0 && options_.sampleTimes.empty();
-  if (endDue_) return;
+  const bool everyStep = options_.outputInterval == 0.0 && options_.sampleTimes.empty();
+  dueAtEnd_ = everyStep ? 1 : 0;
+  if (everyStep) return;
   const double h = to.t - from.t;
   const double near = 1e-9 * h + timeRounding(from.t, to.t);  // then the step's end itself is the output
   for (; due() <= to.t + near; ++next_) {
-    endDue_ = due() >= to.t - near;
-    if (endDue_) continue;
+    if (due() >= to.t - near) {
+      ++dueAtEnd_;
+      continue;
+    }
     method.interpolate(system, from, to, (due() - from.t) / h, inside_);
     inside_.t = due();
     record(inside_);
@@ -77,7 +80,8 @@ void RunRecorder::recordInside(const DynamicalSystem& system, Integrator& method
 }
 
 void RunRecorder::recordEnd(const State& state, bool asked) {
-  if (endDue_ || asked) record(state);
+  // Sample times that differ by rounding, as those of another run may, are each an output of its own.
+  for (int i = std::max(dueAtEnd_, asked ? 1 : 0); i > 0; --i) record(state);
 }
 
 Trajectory RunRecorder::finish(StopReport stop) {

@@ -32,7 +32,7 @@ class RunRecorder {
   long long stride_ = 1;
   long long count_ = 0;  // of the outputs, recorded or not
   long long next_ = 1;   // the next multiple of the output interval, or sample time counted from 1
-  bool endDue_ = false;
+  int dueAtEnd_ = 0;     // outputs that the end of the present step is
   State inside_;
   Trajectory trajectory_;
 };

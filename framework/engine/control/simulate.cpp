@@ -27,6 +27,7 @@ namespace muelle::engine {
 namespace {
 
 constexpr int mostRetries = 30;
+constexpr int mostFailures = 60;  // within one step of the grid
 constexpr std::size_t mostKeptEvents = 10'000;
 constexpr int mostLooks = 3;       // at the stability during a run
 constexpr int mostCrossings = 20;  // of one guard within a step
@@ -100,6 +101,7 @@ class Run {
   RunResult result_;
   double piece_ = std::numeric_limits<double>::infinity();  // longest step after failures of a fixed step
   int retries_ = 0;                                         // of the present step
+  int failures_ = 0;                                        // of a fixed step since the grid was last met
   std::vector<int> crossings_;                              // of each guard since windowStart_
   double windowStart_ = 0.0;
   double liveUntil_ = 0.0;  // after chatter: events are not located before this time
@@ -235,7 +237,8 @@ PlannedStep Run::planByError() const {
 
 PlannedStep Run::plan() const {
   PlannedStep step = adaptive_ ? planByError() : grid_.plan(from_.t, stops_.next());
-  if (step.length > piece_) shorten(step, piece_);
+  // Pieces that end by rounding short of the grid would leave a sliver of a step.
+  if (step.length > piece_ * (1.0 + 1e-6)) shorten(step, piece_);
   return step;
 }
 
@@ -305,6 +308,12 @@ bool Run::retryFailed(const PlannedStep& step, const StepResult& result) {
   ++result_.work.rejectedSteps;
   if (adaptive_) controller_->fail(step.length);
   piece_ = adaptive_ ? piece_ : 0.5 * step.length;
+  if (++failures_ > mostFailures) {
+    return stop({true, from_.t, -1,
+                 fmt::format("t = {:.6g} s: {} fails in pieces of h = {:.3g} s again and again, the last of {:.3g} s: "
+                             "{}; take a shorter step, or look for a place where the force jumps",
+                             from_.t, method_.info().name, nominalStep(), step.length, result.failure)});
+  }
   if (result.retry && ++retries_ <= mostRetries && 0.25 * step.length > shortestStep()) {
     if (!warnedOfFailures_) {
       warnOnce(warnedOfFailures_, fmt::format("t = {:.6g} s: a step of {:.3g} s failed ({}) and is taken in pieces",
@@ -370,6 +379,7 @@ void Run::move(const PlannedStep& step) {
   } else {
     grid_.moved(step.reachesGrid);
   }
+  if (adaptive_ || step.reachesGrid) failures_ = 0;
   // After a failure the pieces grow again, at most to the grid's step.
   if (piece_ < options_.h) piece_ *= 2.0;
 }
