@@ -161,7 +161,11 @@ void Run::warnBefore() {
     std::string warning = instabilityWarning(system_, method_, from_, options_.h, steps);
     if (!warning.empty()) warnOnce(warnedOfInstability_, std::move(warning));
   }
-  if (options_.checkStability) warnOfBounces();
+  if (options_.checkStability) {
+    warnOfBounces();
+    std::string warning = unresolvedWarning(system_, start_, end_, options_.h);
+    if (!warning.empty()) result_.warnings.push_back(std::move(warning));
+  }
   if (options_.checkNumericalDamping) {
     const NumericalDamping damping = numericalDamping(system_, method_, from_, options_.h, options_.duration);
     if (damping.exceeds) result_.warnings.push_back(damping.sentence);

@@ -1,5 +1,6 @@
 #include "lab/run/error_estimate.h"
 
+#include "engine/control/run_checks.h"
 #include "engine/integrators/catalogue.h"
 #include "lab/run/energy_balance.h"
 
@@ -119,14 +120,6 @@ Scale scaleOf(const Scene& scene, const SceneRun& run, const RunResult& finest) 
   return scale;
 }
 
-/// The shortest period of what acts at any time of the run.
-double shortestPeriod(const engine::DynamicalSystem& system, double duration) {
-  constexpr int looks = 200;
-  double shortest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= looks; ++i) shortest = std::min(shortest, system.shortestPeriod(duration * i / looks));
-  return shortest;
-}
-
 /// The shortest stretch between times at which a force jumps or a motion begins or ends.
 double shortestStretch(const engine::DynamicalSystem& system, double duration) {
   std::vector<double> times = {0.0};
@@ -148,8 +141,8 @@ std::string sharedMistake(const Scene& scene, const SceneRun& run) {
   }
   const double h = run.options.h;
   if (h >= 0.5 * duration) return fmt::format("the step of {:.3g} s is at least half of the run", h);
-  const double period = shortestPeriod(*run.system, duration);
-  if (h > 0.25 * period) {
+  const double period = shortestPeriodOf(*run.system, 0.0, duration);
+  if (h > resolvedPart * period) {
     return fmt::format("the step of {:.3g} s does not resolve what acts with a period of {:.3g} s", h, period);
   }
   const double stretch = shortestStretch(*run.system, duration);
