@@ -177,7 +177,11 @@ struct Approach {
   /// What the finest run has still before it, when further refinements shrink as the last did.
   double rest() const { return ratio > 1.0 ? change / (ratio - 1.0) : std::numeric_limits<double>::infinity(); }
   /// Whether the first run's error can be told: the runs approach each other, or the finest is near its limit by now.
-  bool isSeen() const { return ratio >= slowestApproach || (ratio > 1.15 && rest() < 0.5 * distance); }
+  /// Where the first is off by more than all that moves, which no approach bounds, the finest has to be near it.
+  bool isSeen() const {
+    if (distance > 1.0 && change > 0.3) return false;
+    return ratio >= slowestApproach || (ratio > 1.15 && rest() < 0.5 * distance);
+  }
 };
 
 /// Whether two runs move about as far: what is measured in parts of a motion is not known before that is.
