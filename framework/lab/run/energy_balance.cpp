@@ -4,6 +4,7 @@
 #include "engine/analysis/spectrum.h"
 #include "engine/control/motion_frame.h"
 #include "engine/integrators/catalogue.h"
+#include "lab/run/deviation.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -90,10 +91,11 @@ EnergyFate energyFate(const ModelSystem& system) {
   return complete ? EnergyFate::Kept : EnergyFate::KeptOrLost;
 }
 
-double energyScale(const ModelSystem& system) {
+double energyScale(const ModelSystem& system, double way) {
   const State start = system.initialState();
   const MotionFrame frame(system, start);
-  const double extent = std::max(frame.extent(), wayToObstacles(system.model()));
+  double extent = std::max(frame.extent(), wayToObstacles(system.model()));
+  if (extent == 0.0) extent = way;
   return kineticEnergyOf(system, start, frame.drift()) + std::abs(system.elasticEnergy(start)) +
          sumOfForces(system, start) * extent;
 }
@@ -114,7 +116,9 @@ EnergyBalance energyBalance(const Scene& scene, const SceneRun& run) {
   const std::vector<double>& E = run.result.trajectory.track("total energy");
   EnergyBalance balance;
   balance.fate = energyFate(*run.system);
-  balance.scale = energyScale(*run.system);
+  const bool alone = run.system->nodeCount() == 1;
+  const double way = alone ? motionOf(scene, *run.system, run.result.trajectory).position : 0.0;
+  balance.scale = energyScale(*run.system, way);
   balance.start = E.front();
   balance.end = E.back() - E.front();
   for (const double energy : E) {
