@@ -105,7 +105,7 @@ int parseAndRun(int argc, char** argv) {
       .oneOf({"on", "off"});
   program.flag("--compensated", command.overrides.compensated, "Compensated summation, for long runs");
   program.flag("--no-error-estimate", command.noErrorEstimate,
-               "Leave out the runs with other steps, which cost two to seven times the first");
+               "Leave out the runs with other steps, which cost two to seven times the first, more where it is short");
   program.flag("--plot", command.plot, "Draw energy, outputs, shape and paths");
   program.flag("--csv", command.csv,
                "Write the trajectory as a table, with a column for each node and axis as the scene numbers them");

@@ -24,6 +24,14 @@ StopReport failedStep(const MethodInfo& method, double t, double length, const S
       fmt::format("t = {:.6g} s: {} fails even with a step of {:.3g} s: {}", t, method.name, length, result.failure)};
 }
 
+StopReport failingPieces(const MethodInfo& method, double t, double nominal, double length, const StepResult& result) {
+  return {
+      true, t, -1,
+      fmt::format("t = {:.6g} s: {} fails in pieces of h = {:.3g} s again and again, the last of {:.3g} s: {}; take "
+                  "a shorter step, or look for a place where the force jumps",
+                  t, method.name, nominal, length, result.failure)};
+}
+
 StopReport inexactStep(double t, double length, const StepResult& result, const Tolerance& tolerance) {
   return {true, t, -1,
           fmt::format("t = {:.6g} s: the step falls below {:.3g} s and its error is still {:.3g} times the "

@@ -3,8 +3,10 @@
 #include "base/text/count.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 namespace muelle::engine {
 
@@ -103,6 +105,25 @@ void checkSizes(const DynamicalSystem& system, const State& start) {
                                              system.unknownName(static_cast<int>(i)), mass[i]));
   }
   require(std::isfinite(start.t), "the start time is not finite");
+}
+
+double shortestPeriodOf(const DynamicalSystem& system, double from, double to) {
+  std::vector<double> times = {from};
+  if (system.switching() != nullptr) system.switching()->declaredTimes(from, to, times);
+  times.push_back(to);
+  std::sort(times.begin(), times.end());
+  double shortest = system.shortestPeriod(from);
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    shortest = std::min(shortest, system.shortestPeriod(0.5 * (times[i - 1] + times[i])));
+  }
+  return shortest;
+}
+
+std::string unresolvedWarning(const DynamicalSystem& system, double from, double to, double h) {
+  const double period = shortestPeriodOf(system, from, to);
+  if (!(h > resolvedPart * period)) return "";
+  return fmt::format("something acts with a period of {:.3g} s: h = {:.3g} s does not resolve it (h up to {:.3g} s)",
+                     period, h, resolvedPart * period);
 }
 
 }  // namespace muelle::engine

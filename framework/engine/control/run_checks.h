@@ -15,4 +15,14 @@ void checkSizes(const DynamicalSystem& system, const State& start);
 /// Throws std::invalid_argument when the system has rods and the method does not hold them.
 void checkRodsAreHeld(const DynamicalSystem& system, const MethodInfo& method);
 
+/// The shortest period [s] of what acts or moves at any time of a run, however short it acts: looked at between all
+/// declared times, at which periods change. Infinite where nothing has one.
+double shortestPeriodOf(const DynamicalSystem& system, double from, double to);
+
+/// The largest part of a period that a fixed step may be, to be taken for resolving it.
+inline constexpr double resolvedPart = 0.25;
+
+/// One sentence where a fixed step h does not resolve what acts from `from` to `to`; empty otherwise.
+std::string unresolvedWarning(const DynamicalSystem& system, double from, double to, double h);
+
 }  // namespace muelle::engine

@@ -62,20 +62,24 @@ double RunRecorder::due() const {
   return index < samples.size() ? samples[index] : std::numeric_limits<double>::infinity();
 }
 
-bool RunRecorder::recordInside(Simulation& simulation) {
-  if (options_.outputInterval == 0.0 && options_.sampleTimes.empty()) return true;
+int RunRecorder::recordInside(Simulation& simulation) {
+  if (options_.outputInterval == 0.0 && options_.sampleTimes.empty()) return 1;
   const double begin = simulation.stepBegin(), end = simulation.time();
   const double near = 1e-9 * (end - begin) + timeRounding(begin, end);  // then the step's end itself is the output
-  bool endDue = false;
+  int dueAtEnd = 0;
   for (; due() <= end + near; ++next_) {
-    endDue = due() >= end - near;
-    if (!endDue) record(simulation.at(due()));
+    if (due() >= end - near) {
+      ++dueAtEnd;
+    } else {
+      record(simulation.at(due()));
+    }
   }
-  return endDue;
+  return dueAtEnd;
 }
 
 void RunRecorder::recordStep(Simulation& simulation, bool asked) {
-  if (recordInside(simulation) || asked) record(simulation.state());
+  // Sample times that differ by rounding, as those of another run may, are each an output of its own.
+  for (int i = std::max(recordInside(simulation), asked ? 1 : 0); i > 0; --i) record(simulation.state());
 }
 
 Trajectory RunRecorder::finish(StopReport stop) {

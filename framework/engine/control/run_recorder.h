@@ -23,8 +23,8 @@ class RunRecorder {
   /// The next output time; infinite when none is left, or when every step is recorded.
   double due() const;
 
-  /// Records what is due inside the step; whether its end is due, too.
-  bool recordInside(Simulation& simulation);
+  /// Records what is due inside the step; how many outputs its end is.
+  int recordInside(Simulation& simulation);
   void append(const State& state);
   void thin();
 

@@ -210,6 +210,9 @@ bool Simulation::retryFailed(const PlannedStep& step, const StepResult& result) 
   if (!goesOn(notFiniteForce(system_, state_, state_.t))) return false;
   ++work_.rejectedSteps;
   planner_.fail(step.length);
+  if (planner_.failsTooOften()) {
+    return goesOn(failingPieces(method_.info(), state_.t, planner_.nominal(), step.length, result));
+  }
   if (result.retry && ++retries_ <= mostRetries && 0.25 * step.length > planner_.shortest(state_.t)) {
     if (!warnedOfFailures_) {
       warnOnce(warnedOfFailures_, fmt::format("t = {:.6g} s: a step of {:.3g} s failed ({}) and is taken in pieces",

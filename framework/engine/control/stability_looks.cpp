@@ -2,6 +2,7 @@
 
 #include "engine/analysis/numerical_damping.h"
 #include "engine/analysis/stability.h"
+#include "engine/control/run_checks.h"
 
 #include <fmt/format.h>
 
@@ -27,6 +28,10 @@ std::vector<std::string> StabilityLooks::before(Integrator& method, const State&
     warnedOfInstability_ = !warning.empty();
     if (!warning.empty()) warnings.push_back(std::move(warning));
     if (std::string text = bounce(start); !text.empty()) warnings.push_back(std::move(text));
+    const double end = start.t + options_.duration;
+    if (std::string text = unresolvedWarning(system_, start.t, end, options_.h); !text.empty()) {
+      warnings.push_back(std::move(text));
+    }
   }
   if (options_.checkNumericalDamping) {
     NumericalDamping damping = numericalDamping(system_, method, start, options_.h, options_.duration);

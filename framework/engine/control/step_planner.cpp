@@ -35,6 +35,7 @@ void StepPlanner::chooseFirstStep(const State& from, int order, const ErrorScale
 void StepPlanner::restart(double t) {
   stops_ = stopsFrom(t);
   piece_ = std::numeric_limits<double>::infinity();
+  failures_ = 0;
 }
 
 double StepPlanner::shortest(double t) const {
@@ -54,7 +55,8 @@ PlannedStep StepPlanner::planByError(double t) const {
 
 PlannedStep StepPlanner::plan(double t) const {
   PlannedStep step = adaptive_ ? planByError(t) : grid_.plan(t, stops_.next());
-  if (step.length > piece_) shorten(step, t, piece_);
+  // Pieces that end by rounding short of the grid would leave a sliver of a step.
+  if (step.length > piece_ * (1.0 + 1e-6)) shorten(step, t, piece_);
   return step;
 }
 
@@ -85,6 +87,7 @@ void StepPlanner::accept(double length, double error) {
 void StepPlanner::reject(double length, double error) { controller_->reject(length, error); }
 
 void StepPlanner::fail(double length) {
+  ++failures_;
   if (adaptive_) {
     controller_->fail(length);
   } else {
@@ -94,6 +97,7 @@ void StepPlanner::fail(double length) {
 
 void StepPlanner::moved(const PlannedStep& step) {
   if (!adaptive_) grid_.moved(step.reachesGrid);
+  if (adaptive_ || step.reachesGrid) failures_ = 0;
   // After a failure the pieces grow again, at most to the grid's step.
   if (piece_ < options_.h) piece_ *= 2.0;
 }

@@ -36,7 +36,9 @@ class StepPlanner {
   void accept(double length, double error);  ///< such a step was good; later it may still be cut at an event
   void reject(double length, double error);  ///< it was not exact enough
   void fail(double length);                  ///< it could not be taken
-  void moved(const PlannedStep& step);       ///< time has passed by it
+  /// Whether steps failed again and again since the grid was last met: shorter ones do not help.
+  bool failsTooOften() const { return failures_ > mostFailures; }
+  void moved(const PlannedStep& step);  ///< time has passed by it
 
   /// The step [s] where nothing cuts it.
   double nominal() const { return adaptive_ ? controller_->h() : options_.h; }
@@ -48,6 +50,8 @@ class StepPlanner {
   double end() const { return end_; }
 
  private:
+  static constexpr int mostFailures = 60;
+
   StopTimes stopsFrom(double t) const;
   PlannedStep planByError(double t) const;
 
@@ -60,6 +64,7 @@ class StepPlanner {
   TimeGrid grid_;
   std::optional<StepController> controller_;
   double piece_ = std::numeric_limits<double>::infinity();  // longest step after failures of a fixed step
+  int failures_ = 0;  // since the grid was last met; of an adaptive method since the last step
 };
 
 /// The times in (from, to] at which the system's force jumps [s], ascending.

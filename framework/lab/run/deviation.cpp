@@ -81,7 +81,7 @@ std::vector<std::size_t> comparedRows(const Trajectory& trajectory) {
   return rows;
 }
 
-Sizes motionOf(const Scene& scene, const ModelSystem& system, const Trajectory& trajectory) {
+Sizes nodeMotion(const ModelSystem& system, const Trajectory& trajectory) {
   Sizes sizes;
   MotionFrame frame(system, {trajectory.t[0], trajectory.x[0], trajectory.v[0], {}});
   for (std::size_t row = 0; row < trajectory.t.size(); ++row) {
@@ -89,6 +89,12 @@ Sizes motionOf(const Scene& scene, const ModelSystem& system, const Trajectory& 
     sizes.position = std::max(sizes.position, size.position);
     sizes.velocity = std::max(sizes.velocity, size.velocity);
   }
+  return sizes;
+}
+
+Sizes motionOf(const Scene& scene, const ModelSystem& system, const Trajectory& trajectory) {
+  Sizes sizes = nodeMotion(system, trajectory);
+  const MotionFrame frame(system, {trajectory.t[0], trajectory.x[0], trajectory.v[0], {}});
   const std::vector<const SceneOutput*> outputs = measuredOutputs(scene);
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     sizes.outputs.push_back(outputMotion(*outputs[i], trajectory.t, valuesOf(trajectory, outputs.size(), i),

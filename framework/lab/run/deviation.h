@@ -20,6 +20,9 @@ struct Sizes {
 /// Which rows of a trajectory two runs are compared at.
 std::vector<std::size_t> comparedRows(const Trajectory& trajectory);
 
+/// How far and how fast nodes move in a run, without outputs: |y|, y(t) = x(t) - x(0) - V t, and |v - V| (MotionFrame).
+Sizes nodeMotion(const engine::ModelSystem& system, const Trajectory& trajectory);
+
 /// How much moves in a run: y(t) = x(t) - x(0) - V t and v - V (see MotionFrame), and likewise each output.
 Sizes motionOf(const engine::Scene& scene, const engine::ModelSystem& system, const Trajectory& trajectory);
 

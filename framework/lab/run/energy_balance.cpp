@@ -4,6 +4,7 @@
 #include "engine/analysis/spectrum.h"
 #include "engine/control/motion_frame.h"
 #include "engine/integrators/catalogue.h"
+#include "lab/run/deviation.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -90,10 +91,11 @@ EnergyFate energyFate(const ModelSystem& system) {
   return complete ? EnergyFate::Kept : EnergyFate::KeptOrLost;
 }
 
-double energyScale(const ModelSystem& system) {
+double energyScale(const ModelSystem& system, double way) {
   const State start = system.initialState();
   const MotionFrame frame(system, start);
-  const double extent = std::max(frame.extent(), wayToObstacles(system.model()));
+  double extent = std::max(frame.extent(), wayToObstacles(system.model()));
+  if (extent == 0.0) extent = way;
   return kineticEnergyOf(system, start, frame.drift()) + std::abs(system.elasticEnergy(start)) +
          sumOfForces(system, start) * extent;
 }
@@ -115,7 +117,8 @@ EnergyBalance energyBalance(const ModelSystem& system, const std::string& method
   const std::vector<double>& E = result.trajectory.track("total energy");
   EnergyBalance balance;
   balance.fate = energyFate(system);
-  balance.scale = energyScale(system);
+  const bool alone = system.nodeCount() == 1;
+  balance.scale = energyScale(system, alone ? nodeMotion(system, result.trajectory).position : 0.0);
   balance.start = E.front();
   balance.end = E.back() - E.front();
   for (const double energy : E) {

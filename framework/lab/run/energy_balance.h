@@ -17,8 +17,9 @@ EnergyFate energyFate(const engine::ModelSystem& system);
 /// The scale of a scene's energies [J]: the kinetic energy of v - V at the start (V as in MotionFrame), the elastic
 /// energy at the start, and what the forces at the start could do along the scene's extent, sum_i |F_i| extent. Unlike
 /// the energy itself it depends neither on where heights are measured from nor on how fast all flies by. The extent
-/// counts the way to the obstacles.
-double energyScale(const engine::ModelSystem& system);
+/// counts the way to the obstacles; a lone node with no obstacle, or in touch with one, has none: then it is `way` [m],
+/// how far a run goes.
+double energyScale(const engine::ModelSystem& system, double way = 0.0);
 
 /// A run's energy, relative to its start.
 struct EnergyBalance {

@@ -1,9 +1,11 @@
 #include "lab/run/error_estimate.h"
 
+#include "engine/control/run_checks.h"
 #include "engine/integrators/catalogue.h"
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -24,6 +26,10 @@ constexpr double surelySmall = 0.05;
 /// Differences that do not shrink and are smaller than this, in parts of the motion, are rounding, as stiff springs and
 /// contacts amplify it.
 constexpr double surelyRounding = 1e-10;
+
+/// Steps times unknowns of a finer run that anybody waits for: where the order is not seen by then, and only so much is
+/// to be done, the steps are halved again.
+constexpr double quicklyDone = 1e6;
 
 /// The larger of both parts of the motion: by it the approach of the runs is judged. What rounds by `floor` [m] is not
 /// told from 0.
@@ -113,14 +119,6 @@ Scale scaleOf(const Scene& scene, const SceneRun& run, const RunResult& finest) 
   return scale;
 }
 
-/// The shortest period of what acts at any time of the run.
-double shortestPeriod(const engine::DynamicalSystem& system, double duration) {
-  constexpr int looks = 200;
-  double shortest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= looks; ++i) shortest = std::min(shortest, system.shortestPeriod(duration * i / looks));
-  return shortest;
-}
-
 /// The shortest stretch between times at which a force jumps or a motion begins or ends.
 double shortestStretch(const engine::DynamicalSystem& system, double duration) {
   std::vector<double> times = {0.0};
@@ -142,8 +140,8 @@ std::string sharedMistake(const Scene& scene, const SceneRun& run) {
   }
   const double h = run.options.h;
   if (h >= 0.5 * duration) return fmt::format("the step of {:.3g} s is at least half of the run", h);
-  const double period = shortestPeriod(*run.system, duration);
-  if (h > 0.25 * period) {
+  const double period = shortestPeriodOf(*run.system, 0.0, duration);
+  if (h > resolvedPart * period) {
     return fmt::format("the step of {:.3g} s does not resolve what acts with a period of {:.3g} s", h, period);
   }
   const double stretch = shortestStretch(*run.system, duration);
@@ -178,8 +176,19 @@ struct Approach {
   /// What the finest run has still before it, when further refinements shrink as the last did.
   double rest() const { return ratio > 1.0 ? change / (ratio - 1.0) : std::numeric_limits<double>::infinity(); }
   /// Whether the first run's error can be told: the runs approach each other, or the finest is near its limit by now.
-  bool isSeen() const { return ratio >= slowestApproach || (ratio > 1.15 && rest() < 0.5 * distance); }
+  /// Where the first is off by more than all that moves, which no approach bounds, the finest has to be near it.
+  bool isSeen() const {
+    if (distance > 1.0 && change > 0.3) return false;
+    return ratio >= slowestApproach || (ratio > 1.15 && rest() < 0.5 * distance);
+  }
 };
+
+/// Whether two runs move about as far: what is measured in parts of a motion is not known before that is.
+bool isAbout(const Sizes& a, const Sizes& b) {
+  constexpr double factor = 1.5;
+  const auto near = [](double p, double q) { return p <= factor * q && q <= factor * p; };
+  return near(a.position, b.position) && near(a.velocity, b.velocity);
+}
 
 std::string notSeen(bool fixed, const Approach& approach) {
   return fmt::format("the order is not seen: with {} the result changes {:.2g} times as much as before",
@@ -187,7 +196,8 @@ std::string notSeen(bool fixed, const Approach& approach) {
 }
 
 std::string howRefined(bool fixed, int runs) {
-  if (fixed) return runs == 2 ? "steps halved twice" : "steps halved three times";
+  constexpr std::array<const char*, 5> times = {"twice", "three times", "four times", "five times", "six times"};
+  if (fixed) return fmt::format("steps halved {}", times.at(static_cast<std::size_t>(runs - 2)));
   return runs == 2 ? "tolerances of a tenth and a hundredth" : "tolerances down to a thousandth";
 }
 
@@ -220,8 +230,23 @@ class Estimator {
     return coarser.failed() ? 0.0 : scale.errorOf(runs_.differenceFromFirst(coarser));
   }
 
+  /// Three, and up to six where they are quickly done.
+  int mostRuns() const {
+    const double once = static_cast<double>(run_.result.work.steps) * run_.system->size();
+    int most = 3;
+    while (fixed_ && most < 6 && once * std::pow(2.0, most + 1) <= quicklyDone) ++most;
+    return most;
+  }
+
+  /// Runs that approach each other faster than any error shrinks agree by accident. (Events are located by dense output
+  /// of the fourth order or so.)
+  double fastestApproach() const {
+    const int order = run_.result.work.events > 0 ? std::min(run_.method.order, 4) : run_.method.order;
+    return fixed_ ? 1.7 * std::pow(2.0, order) : 30.0;
+  }
+
   ErrorEstimate refine(RunResult before, double change) {
-    constexpr int most = 3;
+    const int most = mostRuns();
     Approach approach{change, 0.0, change};
     for (int n = 2; n <= most; ++n) {
       RunResult finest = runs_.at(std::pow(2.0, n));
@@ -231,7 +256,9 @@ class Estimator {
       const double last = scale.errorOf(runs_.difference(before, finest));
       approach = {last, last > 0.0 ? approach.change / last : std::numeric_limits<double>::infinity(),
                   scale.errorOf(difference)};
-      if (approach.isSeen() || last <= 4.0 * scale.rounding()) {
+      const bool settled = isAbout(scale.motion, scaleOf(scene_, run_, before).motion);
+      const bool seen = settled && approach.isSeen() && (n == most || approach.ratio <= fastestApproach());
+      if (seen || last <= 4.0 * scale.rounding()) {
         // Where the whole motion is off the differences have no sign to add up by.
         const bool coherent = approach.ratio >= slowestApproach && approach.distance > 0.0 && approach.distance < 0.3;
         const double factor = coherent ? 1.0 + approach.rest() / approach.distance : 1.0;

@@ -78,6 +78,22 @@ TEST(Outputs, AtGivenTimesAreThoseOfTheMotionAndEndNoStep) {
   for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(run.trajectory.x[i][0], std::cos(run.trajectory.t[i]), 1e-9);
 }
 
+// Two runs are compared at the times of one of them, which may lie a rounding apart.
+TEST(Outputs, AtTimesThatDifferByRoundingAreEachRecorded) {
+  const LinearSystem system(1.0, 0.0);
+  const auto method = testing::classicalRungeKutta();
+  RunOptions options;
+  options.h = 0.01;
+  options.duration = 1.0;
+  const double next = std::nextafter(0.5, 1.0);
+  options.sampleTimes = {0.5, next, 0.505, std::nextafter(0.505, 1.0), std::nextafter(1.0, 0.0), 1.0};
+  const RunResult run = simulate(system, *method, oscillatorAt(1.0, 0.0), options);
+  EXPECT_EQ(run.trajectory.t.size(), 7U);
+  for (std::size_t i = 0; i < run.trajectory.t.size(); ++i) {
+    EXPECT_NEAR(run.trajectory.x[i][0], std::cos(run.trajectory.t[i]), 1e-9);
+  }
+}
+
 TEST(AdaptiveStep, KeepsTheToleranceAndHitsTheOutputTimes) {
   const LinearSystem system(3.0, 0.2);
   const auto method = testing::bogackiShampine();

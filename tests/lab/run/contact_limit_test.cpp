@@ -10,7 +10,6 @@
 
 #include <gtest/gtest.h>
 #include <cmath>
-#include <functional>
 
 namespace muelle::lab {
 
@@ -19,10 +18,20 @@ namespace {
 
 constexpr double g = 9.81;
 
+/// Of every coordinate at rest [m], and how far it grows before the run counts as unstable. The ground has to hold on
+/// for so long, else its limit is not the one that is seen: 1e-4 m are less than the depth m g / k at rest (9.8e-4 m
+/// and more here), and a swing of amplitude x at the limit h = 2 m / d of a damper has the velocity 2 x / h = x d / m,
+/// which pulls with d v < m g while x < m^2 g / d^2 (2.4e-4 m and more here). A stiff or strongly damped ground would
+/// let go of the first 1e-6 m: grounds are soft, which shifts the limit and changes nothing else. A stable undamped run
+/// swings to 1 / sqrt(1 - (h omega / 2)^2) of the perturbation, a hundredfold only within 5e-5 of the limit.
+constexpr double perturbation = 1e-6, growth = 100.0;
+
+constexpr double mass = 2.0;
+
 Model ball(double k, double d) {
   Model model;
   model.gravity = Vec3(0.0, 0.0, -g);
-  model.nodes.push_back({.x = Vec3(0.0, 0.0, 1.0), .m = 0.5});
+  model.nodes.push_back({.x = Vec3(0.0, 0.0, 1.0), .m = mass});
   Obstacle ground;
   ground.material.k = k;
   ground.material.d = d;
@@ -32,19 +41,19 @@ Model ball(double k, double d) {
 
 /// The same model with its lowest node in the ground, as deep as the ground carries all.
 Model pressed(Model model) {
-  double mass = 0.0;
+  double sum = 0.0;
   std::size_t lowest = 0;
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-    mass += model.nodes[i].m;
+    sum += model.nodes[i].m;
     if (model.nodes[i].x[2] < model.nodes[lowest].x[2]) lowest = i;
   }
-  const double shift = model.nodes[lowest].x[2] + mass * g / model.obstacles[0].material.k;
+  const double shift = model.nodes[lowest].x[2] + sum * g / model.obstacles[0].material.k;
   for (ModelNode& node : model.nodes) node.x[2] -= shift;
   return model;
 }
 
-/// Whether a perturbation of 1e-10 m, at which the ground does not let go, grows a hundredfold over 4000 steps.
-bool grows(const Model& model, const char* id, double h) {
+/// Whether a perturbation along an axis grows over 4000 steps. (Not along all: a column would buckle.)
+bool grows(const Model& model, const char* id, double h, std::size_t axis) {
   const std::unique_ptr<ModelSystem> system = build(model);
   const std::unique_ptr<Integrator> method = makeMethod(id);
   RunOptions options;
@@ -54,52 +63,62 @@ bool grows(const Model& model, const char* id, double h) {
   options.locateEvents = options.checkStability = options.checkNumericalDamping = options.keepStates = false;
   const State rest = system->initialState();
   State start = rest;
-  for (std::size_t i = 2; i < start.x.size(); i += 3)
-    start.x[i] += i % 2 == 0 ? 1e-10 : -1e-10;  // along z: a column would buckle
+  for (std::size_t i = axis; i < start.x.size(); i += 3) start.x[i] += i % 2 == 0 ? perturbation : -perturbation;
   const RunResult result = simulate(*system, *method, start, options);
   if (result.failed()) return true;
   double off = 0.0;
-  for (std::size_t i = 0; i < rest.x.size(); ++i) {
-    if (i % 3 == 2) off = std::max(off, std::abs(result.last.x[i] - rest.x[i]));
-  }
-  return off > 1e-8;
+  for (std::size_t i = axis; i < rest.x.size(); i += 3) off = std::max(off, std::abs(result.last.x[i] - rest.x[i]));
+  return off > growth * perturbation;
 }
 
-double trueLimit(const Model& atRest, const char* id, double guess) {
+double trueLimit(const Model& atRest, const char* id, double guess, std::size_t axis) {
   double stable = 0.5 * guess, unstable = 2.0 * guess;
-  EXPECT_FALSE(grows(atRest, id, stable));
-  EXPECT_TRUE(grows(atRest, id, unstable));
+  EXPECT_FALSE(grows(atRest, id, stable, axis)) << id;
+  EXPECT_TRUE(grows(atRest, id, unstable, axis)) << id;
   while (unstable - stable > 1e-3 * stable) {
     const double middle = 0.5 * (stable + unstable);
-    (grows(atRest, id, middle) ? unstable : stable) = middle;
+    (grows(atRest, id, middle, axis) ? unstable : stable) = middle;
   }
   return stable;
 }
 
 /// \param far  the model before anything touches
-void expectTold(const Model& far, const char* id) {
+/// \param axis  along which it is perturbed
+void expectTold(const Model& far, const char* id, std::size_t axis = 2) {
   const std::unique_ptr<ModelSystem> system = build(far);
   const std::unique_ptr<Integrator> method = makeMethod(id);
   const double told = stability(*system, *method, system->initialState()).largestStep;
-  const double limit = trueLimit(pressed(far), id, told);
-  EXPECT_LE(told, 1.002 * limit)
-      << id;  // bisection to 1e-3; within 2e-4 of its limit a stable run swings a hundredfold, too
+  const double limit = trueLimit(pressed(far), id, told, axis);
+  EXPECT_LE(told, 1.0011 * limit) << id;  // bisection to 1e-3, and the hundredfold swing
   EXPECT_GE(told, 0.9 * limit) << id;
 }
 
+// (Not dormand_prince_5 and nystrom8: just beyond their limits they grow by less than 1e-3 a step, which takes longer.)
 TEST(LimitWithContacts, OfABallIsThatOfItsBounce) {
-  for (const char* id : {"velocity_verlet", "symplectic_euler", "runge_kutta_4"}) expectTold(ball(1e5, 0.0), id);
+  for (const char* id : {"velocity_verlet", "symplectic_euler", "runge_kutta_4", "yoshida4"}) {
+    expectTold(ball(1e3, 0.0), id);
+  }
 }
 
 TEST(LimitWithContacts, CountsTheDamperOfTheGround) {
-  // Critical damping is 2 sqrt(k m) = 447 kg/s.
-  for (const double d : {50.0, 2000.0}) {
-    for (const char* id : {"velocity_verlet", "symplectic_euler", "runge_kutta_4"}) expectTold(ball(1e5, d), id);
+  // Critical damping is 2 sqrt(k m) = 89 kg/s.
+  for (const double d : {10.0, 400.0}) {
+    for (const char* id : {"velocity_verlet", "symplectic_euler", "runge_kutta_4", "explicit_midpoint"}) {
+      expectTold(ball(1e3, d), id);
+    }
   }
+}
+
+TEST(LimitWithContacts, CountsTheGripOfTheGround) {
+  Model model = ball(1e3, 0.0);
+  model.obstacles[0].material.mu = 0.5;  // holds m g / 2 = 9.8 N, and the swing of 1e-4 m pulls with 0.4 N
+  model.obstacles[0].material.kTangential = 4e3;
+  for (const char* id : {"velocity_verlet", "symplectic_euler", "runge_kutta_4"}) expectTold(model, id, 0);
 }
 
 TEST(LimitWithContacts, CountsTheSpringsOfTheNodeThatTouches) {
   Model model = ball(1e4, 0.0);
+  model.nodes[0].m = 0.5;
   model.nodes.push_back({.x = Vec3(0.0, 0.0, 1.5), .m = 0.5});
   model.springs.push_back({.a = 0, .b = 1, .k = 2e4, .L0 = 0.5});
   // At rest the upper one sinks by m g / k.

@@ -74,6 +74,23 @@ TEST(EnergyBalance, OfARunThatGrowsFails) {
               ::testing::HasSubstr("the energy rises by"));
 }
 
+// One node has no extent. Falling for a second, explicit Euler gains m g^2 h t / 2 = 0.48 J, 1 % of what gravity does.
+TEST(EnergyBalance, OfALoneNodeIsMeasuredByItsWay) {
+  const std::string down =
+      "title = 'A test'\nshows = 'nothing'\nslide = 'Contacto Externo'\ndimension = 1\ngravity = 9.81\n";
+  Scene falling = sceneFrom(down + "[[node]]\nx = 0.0\nm = 1.0\n" + run);
+  falling.method = "explicit_euler";
+  const EnergyBalance balance = balanceOf(falling);
+  EXPECT_NEAR(balance.highest, 0.5 * 9.81 * 9.81 * 0.01, 1e-9);
+  EXPECT_FALSE(balance.fails());
+  // In touch with a ground of 1e5 N/m, whose limit is 2 / sqrt(k / m) = 6.3e-3 s.
+  Scene touching = bouncing("velocity_verlet", 1e-3);
+  touching.model.nodes[0].x[0] = 0.0;
+  EXPECT_FALSE(balanceOf(touching).fails());
+  touching.step = 1e-2;
+  EXPECT_TRUE(balanceOf(touching).fails());
+}
+
 // A scene that something drives may gain.
 TEST(EnergyBalance, OfADrivenSceneNeverFails) {
   Scene scene = sceneFrom(head + pair + "[[spring]]\nnodes = [0, 1]\nk = 100.0\nL0 = 1.0\n[[force]]\nnodes = [1]\n" +

@@ -1,17 +1,15 @@
 /// \file
-/// What a run says of its error against the truth, on scenes drawn at random: their references come from two sources,
-/// the engine's dop853 at its tightest and Fehlberg's method of Boost.odeint, which follows contacts without events.
+/// What a run says of its error against the truth, on scenes drawn at random, with references of two sources
+/// (references.h).
 
-#include "engine/integrators/catalogue.h"
+#include "lab/run/energy_balance.h"
 #include "lab/run/error_estimate.h"
 #include "random_scene.h"
+#include "references.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <boost/numeric/odeint/integrate/integrate_times.hpp>
-#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
-#include <boost/numeric/odeint/stepper/generation.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -20,52 +18,9 @@ namespace muelle::lab {
 using namespace engine;
 namespace {
 
-/// dop853 at a tolerance of 1e-13, at the rows that are compared.
-Trajectory byDop853(const Scene& scene, const ModelSystem& system, const State& start,
-                    const std::vector<double>& times) {
-  RunOptions options;
-  options.duration = scene.duration;
-  options.tolerance.relative = 1e-13;
-  options.sampleTimes = times;
-  options.probes = probesOf(scene, system);
-  const std::unique_ptr<Integrator> method = makeMethod("dop853");
-  return simulate(system, *method, start, options).trajectory;
-}
-
-Trajectory byOdeint(const Scene& scene, const ModelSystem& system, const State& start,
-                    const std::vector<double>& times) {
-  namespace odeint = boost::numeric::odeint;
-  using Numbers = std::vector<double>;
-  const auto n = static_cast<std::ptrdiff_t>(start.x.size());
-  const Numbers z(static_cast<std::size_t>(system.internalSize()), 0.0);  // live: as positions and velocities say
-  Numbers y = start.x;
-  y.insert(y.end(), start.v.begin(), start.v.end());
-  const auto slope = [&](const Numbers& at, Numbers& rate, double t) {
-    const Numbers x(at.begin(), at.begin() + n), v(at.begin() + n, at.end());
-    Numbers f(x.size());
-    system.force(t, x, v, z, f);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      rate[i] = v[i];
-      rate[x.size() + i] = f[i] / system.mass()[i];
-    }
-  };
-  Trajectory trajectory;
-  trajectory.tracks.resize(probesOf(scene, system).size());
-  const auto record = [&](const Numbers& at, double t) {
-    trajectory.t.push_back(t);
-    trajectory.x.emplace_back(at.begin(), at.begin() + n);
-    trajectory.v.emplace_back(at.begin() + n, at.end());
-    for (Track& track : trajectory.tracks) track.values.push_back(0.0);
-  };
-  std::vector<double> all = {0.0};
-  all.insert(all.end(), times.begin(), times.end());
-  odeint::integrate_times(odeint::make_controlled(1e-13, 1e-13, odeint::runge_kutta_fehlberg78<Numbers>()), slope, y,
-                          all.begin(), all.end(), 1e-4, record);
-  return trajectory;
-}
-
 /// What came of one scene.
 struct Trial {
+  bool failed = false;  ///< did not reach its end or gains energy, and says so first: there is nothing to estimate
   std::string failure;
   double reported = 0.0;
   double truth = 0.0;
@@ -80,6 +35,8 @@ double sizeOf(const Sizes& difference, const Sizes& motion) {
 Trial trial(const Scene& scene) {
   Trial result;
   const SceneRun run = runScene(scene);
+  result.failed = run.result.failed() || run.energy.fails();
+  if (result.failed) return result;
   const ErrorEstimate estimate = estimateError(scene, run);
   result.failure = estimate.failure;
   result.reported = estimate.error();
@@ -89,16 +46,14 @@ Trial trial(const Scene& scene) {
   const State start = run.system->initialState();
   State moved = start;
   for (std::size_t i = 0; i < moved.x.size(); ++i) moved.x[i] += (i % 2 == 0 ? 1e-8 : -1e-8);
-  const Trajectory exact = byDop853(scene, *run.system, start, times);
-  const Trajectory other = byOdeint(scene, *run.system, start, times);
-  const Trajectory perturbed = byDop853(scene, *run.system, moved, times);
-  if (exact.stop.stopped || perturbed.stop.stopped || run.result.failed()) {
-    result.growth = std::numeric_limits<double>::infinity();
-    return result;
-  }
+  const Trajectory exact = finestRun(scene, *run.system, start, times);
+  const Trajectory other = secondRun(scene, *run.system, start, times);
+  const Trajectory perturbed = finestRun(scene, *run.system, moved, times);
+  if (exact.stop.stopped || other.stop.stopped || perturbed.stop.stopped) return result;  // no sure reference
   std::vector<std::size_t> all(exact.t.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
   const Sizes motion = motionOf(scene, *run.system, exact);
+  if (motion.position == 0.0 || motion.velocity == 0.0) return result;  // doubtful: nothing moves
   result.truth = sizeOf(differenceOf(scene, *run.system, run.result.trajectory, rows, exact), motion);
   result.doubt = sizeOf(differenceOf(scene, *run.system, exact, all, other), motion);
   const Sizes apart = differenceOf(scene, *run.system, exact, all, perturbed);
@@ -106,9 +61,28 @@ Trial trial(const Scene& scene) {
   return result;
 }
 
+/// What is in a scene that bears on its error.
+std::string kindsOf(const Scene& scene) {
+  const Model& model = scene.model;
+  std::string kinds;
+  const auto add = [&kinds](bool has, const char* kind) { kinds += has ? std::string(", ") + kind : ""; };
+  add(!scene.locateEvents, "no events");
+  add(!model.obstacles.empty(), "contact");
+  add(!model.obstacles.empty() && model.obstacles[0].material.mu > 0.0, "friction");
+  add(!model.obstacles.empty() && model.obstacles[0].velocity.norm() > 0.0, "moved obstacle");
+  add(!model.motions.empty(), "moved node");
+  add(!model.externalForces.empty(), "force");
+  add(std::ranges::any_of(model.springs, [](const ModelSpring& spring) { return spring.unilateral; }), "one-sided");
+  add(std::ranges::any_of(model.springs, [](const ModelSpring& spring) { return spring.rod; }), "rods");
+  add(std::ranges::any_of(model.springs, [](const ModelSpring& spring) { return spring.isSigned; }), "signed");
+  add(!model.angles.empty() || !model.dihedrals.empty(), "bending");
+  add(!model.areas.empty() || !model.volumes.empty(), "area or volume");
+  return kinds;
+}
+
 /// Scenes of seeds from `first` on; prints those that are off.
 struct Study {
-  int smooth = 0, silent = 0, off = 0, chaotic = 0, doubtful = 0;
+  int smooth = 0, silent = 0, off = 0, failed = 0, chaotic = 0, doubtful = 0;
 
   void run(std::uint64_t first, int count) {
     for (int i = 0; i < count; ++i) take(first + static_cast<std::uint64_t>(i));
@@ -116,6 +90,10 @@ struct Study {
   void take(std::uint64_t seed) {
     const Scene scene = randomScene(seed);
     const Trial t = trial(scene);
+    if (t.failed) {
+      ++failed;
+      return;
+    }
     if (t.growth > 1e4) {
       ++chaotic;
       return;
@@ -130,9 +108,11 @@ struct Study {
     silent += t.failure.empty() ? 0 : 1;
     off += wrong ? 1 : 0;
     if (!wrong && t.failure.empty()) return;
-    fmt::print("seed {}: {} in {}D, h = {:.3g} s, T = {:.3g} s, {}: reported {:.3g}, true {:.3g} {}\n", seed,
-               scene.method, scene.model.dimension, *scene.step, scene.duration,
-               scene.model.obstacles.empty() ? "smooth" : "contact", t.reported, t.truth, t.failure);
+    fmt::print(
+        "seed {}: {} in {}D, {}, T = {:.3g} s{}: reported {:.3g}, true {:.3g} {}\n", seed, scene.method,
+        scene.model.dimension,
+        scene.tolerance ? fmt::format("tolerance {:.2g}", *scene.tolerance) : fmt::format("h = {:.3g} s", *scene.step),
+        scene.duration, kindsOf(scene), t.reported, t.truth, t.failure);
   }
 };
 
@@ -143,8 +123,25 @@ TEST(ErrorStudy, TellsTheTruthWithinAFactorOfTwo) {
   study.run(first != nullptr ? std::strtoull(first, nullptr, 10) : 1, count != nullptr ? std::atoi(count) : 10);
   EXPECT_EQ(study.off, 0);
   EXPECT_LE(study.silent, 1 + study.smooth / 10);
-  fmt::print("{} told, {} silent, {} off; left out: {} chaotic, {} without a sure reference\n",
-             study.smooth - study.silent, study.silent, study.off, study.chaotic, study.doubtful);
+  fmt::print("{} told, {} silent, {} off; left out: {} failed, {} chaotic, {} without a sure reference\n",
+             study.smooth - study.silent, study.silent, study.off, study.failed, study.chaotic, study.doubtful);
+}
+
+// Kinds that were off once. 41: rods whose steps fail and go on in pieces, outputs a rounding apart. 1339: the motion
+// of all runs is far larger than the true one, so that parts of it say nothing. 2097: runs with a half and a quarter of
+// the step agree by accident.
+TEST(ErrorStudy, TellsTheTruthWhereItDidNot) {
+  Study study;
+  for (const std::uint64_t seed : {41, 1339, 2097}) study.run(seed, 1);
+  EXPECT_EQ(study.off, 0);
+}
+
+// Backward Euler at a fold of the energy: pieces of a step succeed, grow, and fail again, without headway.
+TEST(ErrorStudy, ARunThatFailsInPiecesAgainAndAgainEnds) {
+  const SceneRun run = runScene(randomScene(1729));
+  ASSERT_TRUE(run.result.failed());
+  EXPECT_LT(run.result.work.rejectedSteps, 100);
+  EXPECT_NE(run.result.trajectory.stop.message.find("again and again"), std::string::npos);
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 
 namespace muelle::lab {
 
-/// A scene drawn from a seed: one to six nodes in one, two or three dimensions, a chain and springs across it, hung, on
-/// a ground, driven or free, damped in one of the ways or not, with a method and a step between the stability limit and
-/// a hundredth of it, over 2 to 20 periods of its fastest mode.
+/// A scene drawn from a seed: a random model (see randomModel()), any method of the catalogue that can run it, with a
+/// step between the stability limit and a hundredth of it or a tolerance, over 2 to 20 periods of its fastest mode; one
+/// in ten does not locate its events.
 engine::Scene randomScene(std::uint64_t seed);
 
 }  // namespace muelle::lab

@@ -1,0 +1,146 @@
+#include "references.h"
+
+#include "engine/integrators/catalogue.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/numeric/odeint/integrate/integrate_times.hpp>
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/generation.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <cmath>
+#include <Eigen/Dense>
+
+namespace muelle::lab {
+
+using namespace engine;
+
+namespace {
+
+using Numbers = std::vector<double>;
+
+Trajectory byTolerance(const char* id, double tolerance, const Scene& scene, const ModelSystem& system,
+                       const State& start, const std::vector<double>& times) {
+  RunOptions options;
+  options.duration = scene.duration;
+  options.tolerance.relative = tolerance;
+  options.mostForceEvaluations = 500'000;  // a reference that takes more is none
+  options.sampleTimes = times;
+  options.probes = probesOf(scene, system);
+  const std::unique_ptr<Integrator> method = makeMethod(id);
+  return simulate(system, *method, start, options).trajectory;
+}
+
+Trajectory byRattle(double h, const Scene& scene, const ModelSystem& system, const State& start,
+                    const std::vector<double>& times) {
+  RunOptions options;
+  options.duration = scene.duration;
+  options.h = h;
+  options.fixedStep = true;
+  options.sampleTimes = times;
+  options.checkStability = options.checkNumericalDamping = false;
+  options.probes = probesOf(scene, system);
+  const std::unique_ptr<Integrator> method = makeMethod("rattle");
+  return simulate(system, *method, start, options).trajectory;
+}
+
+/// What is left of a and b, whose errors are as `ratio` to 1, without the error.
+void extrapolate(double ratio, const Trajectory& a, Trajectory& b) {
+  const auto each = [ratio](const Numbers& coarse, Numbers& fine) {
+    for (std::size_t i = 0; i < fine.size(); ++i) fine[i] += (fine[i] - coarse[i]) / (ratio - 1.0);
+  };
+  for (std::size_t row = 0; row < b.t.size(); ++row) {
+    each(a.x[row], b.x[row]);
+    each(a.v[row], b.v[row]);
+  }
+}
+
+/// Adds the forces of the rods that keep d^2 L / dt^2 = 0: G M^-1 (f + G^T s) = -(dG/dt) v.
+void addRodForces(const ModelSystem& system, const Numbers& x, const Numbers& v, Numbers& f) {
+  const auto rods = system.rods();
+  if (rods.empty()) return;
+  const auto count = static_cast<Eigen::Index>(rods.size()), n = static_cast<Eigen::Index>(f.size());
+  Eigen::MatrixXd G = Eigen::MatrixXd::Zero(count, n);
+  Eigen::VectorXd right(count);
+  const int dimension = system.dimension();
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const Rod& rod = rods[static_cast<std::size_t>(j)];
+    double squares = 0.0;
+    for (int c = 0; c < dimension; ++c) {
+      const auto value = [&](int first, const Numbers& y, double held) {
+        return first >= 0 ? y[static_cast<std::size_t>(first + c)] : held;
+      };
+      const double d = value(rod.a, x, rod.held[static_cast<std::size_t>(c)]) -
+                       value(rod.b, x, rod.held[static_cast<std::size_t>(c)]);
+      const double rate = value(rod.a, v, 0.0) - value(rod.b, v, 0.0);
+      squares += rate * rate;
+      if (rod.a >= 0) G(j, rod.a + c) = d;
+      if (rod.b >= 0) G(j, rod.b + c) = -d;
+    }
+    right[j] = -squares;
+  }
+  const Eigen::VectorXd inverse = Eigen::Map<const Eigen::VectorXd>(system.mass().data(), n).cwiseInverse();
+  Eigen::Map<Eigen::VectorXd> force(f.data(), n);
+  right -= G * inverse.cwiseProduct(force);
+  force += G.transpose() * (G * inverse.asDiagonal() * G.transpose()).ldlt().solve(right);
+}
+
+Trajectory byOdeint(const Scene& scene, const ModelSystem& system, const State& start,
+                    const std::vector<double>& times) {
+  namespace odeint = boost::numeric::odeint;
+  const auto n = static_cast<std::ptrdiff_t>(start.x.size());
+  const Numbers z(static_cast<std::size_t>(system.internalSize()), 0.0);  // live: as positions and velocities say
+  Numbers y = start.x;
+  y.insert(y.end(), start.v.begin(), start.v.end());
+  const auto slope = [&](const Numbers& at, Numbers& rate, double t) {
+    const Numbers x(at.begin(), at.begin() + n), v(at.begin() + n, at.end());
+    Numbers f(x.size());
+    system.force(t, x, v, z, f);
+    addRodForces(system, x, v, f);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      rate[i] = v[i];
+      rate[x.size() + i] = f[i] / system.mass()[i];
+    }
+  };
+  Trajectory trajectory;
+  trajectory.tracks.resize(probesOf(scene, system).size());
+  const auto record = [&](const Numbers& at, double t) {
+    trajectory.t.push_back(t);
+    trajectory.x.emplace_back(at.begin(), at.begin() + n);
+    trajectory.v.emplace_back(at.begin() + n, at.end());
+    for (Track& track : trajectory.tracks) track.values.push_back(0.0);
+  };
+  std::vector<double> all = {0.0};
+  all.insert(all.end(), times.begin(), times.end());
+  odeint::integrate_times(odeint::make_controlled(1e-13, 1e-13, odeint::runge_kutta_fehlberg78<Numbers>()), slope, y,
+                          all.begin(), all.end(), 1e-4, record);
+  return trajectory;
+}
+
+bool rubs(const Model& model) {
+  return std::ranges::any_of(model.obstacles, [](const Obstacle& obstacle) { return obstacle.material.mu > 0.0; });
+}
+
+}  // namespace
+
+Trajectory finestRun(const Scene& scene, const ModelSystem& system, const State& start,
+                     const std::vector<double>& times) {
+  if (system.rods().empty()) return byTolerance("dop853", 1e-13, scene, system, start, times);
+  std::array<Trajectory, 3> runs;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    runs[i] = byRattle(*scene.step / (32.0 * std::pow(2.0, static_cast<double>(i))), scene, system, start, times);
+    if (runs[i].stop.stopped) return runs[i];
+  }
+  extrapolate(4.0, runs[0], runs[1]);
+  extrapolate(4.0, runs[1], runs[2]);
+  extrapolate(16.0, runs[1], runs[2]);
+  return runs[2];
+}
+
+Trajectory secondRun(const Scene& scene, const ModelSystem& system, const State& start,
+                     const std::vector<double>& times) {
+  if (rubs(scene.model)) return byTolerance("dormand_prince_5", 1e-12, scene, system, start, times);
+  return byOdeint(scene, system, start, times);
+}
+
+}  // namespace muelle::lab
