@@ -79,6 +79,7 @@ SubmissionFault deathFault(const std::string& who, const std::string& cause) {
     return SubmissionFault(who + " " + what, outcome, isConfirmed);
   };
   if (cause == "stack overflow") return fault(stackOverflowSentence, Outcome::Crash);
+  if (cause == "illegal instruction") return fault(nowhereSentence, Outcome::Crash);
   if (cause == "floating-point trap") return fault(trapSentence, Outcome::Crash);
   // By its own word: a submission may say so, too. Whoever judges tries once more.
   if (cause == worker::signalFromOutside) return fault("was ended by a signal from outside", Outcome::Struck);

@@ -115,10 +115,11 @@ void onFault(int signal, siginfo_t* info, void* context) {
   die(signal == SIGSEGV ? "segmentation fault" : signal == SIGBUS ? "bus error" : "arithmetic exception");
 }
 
-/// Lets the process end as it would have: of abort(), of an instruction that there is not.
+/// abort() and an instruction that there is not. It does not return: the filter allows no way back from a handler.
 void onEnd(int signal, siginfo_t* info, void*) {
   if (isFromOutside(*info)) die(worker::signalFromOutside.data());
-  if (signal == SIGABRT) raise(signal);  // the handler is gone; an instruction meets its fault again
+  if (signal == SIGILL) die("illegal instruction");
+  raise(signal);  // the handler is gone: the process ends as abort() would have ended it
 }
 
 /// As out of a noexcept function. Whatever goes wrong on the way calls it again.
