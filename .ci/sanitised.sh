@@ -1,11 +1,16 @@
 #!/usr/bin/env bash
-# Every test but the long studies of numbers, the matrix of submissions and the corpora with AddressSanitizer and
-# UndefinedBehaviorSanitizer. Those three are no news here: they run the programs that the rest tests, and workers that have
-# no sanitizers. The studies (convergence, peers, benchmarks) are not built, see MUELLE_ASAN in the CMake files; of the hard
-# cases every method takes its first steps on every variant, and every figure is computed.
+# Every test but the matrix with AddressSanitizer and UndefinedBehaviorSanitizer; of the studies of numbers those that end
+# soon, unless --all. The matrix is no news here: it runs the programs that the rest tests, and workers that have no
+# sanitizers. Long studies (convergence, peers, whole hard cases) are not built, see MUELLE_ASAN in the CMake files: of the
+# hard cases the first steps of every method run, of the figures the numbers.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 begin "tests with sanitizers"
 cmake --preset asan >/dev/null
 ninja -C build-asan --quiet
 # A sanitised program takes up to twenty times as long as one at -O2, on a busy machine longer.
-ctest --preset asan --timeout 1500
+if [[ $share == all ]]; then
+  ctest --test-dir build-asan --output-on-failure --no-tests=error --parallel $jobs --timeout 3000 \
+    --label-exclude '^grade$' --exclude-regex '^(matrix[.]|TwoAtOnce|style[.]|Portable)'
+else
+  ctest --preset asan --timeout 1500 --parallel $((jobs + 1))
+fi
