@@ -135,6 +135,9 @@ std::string sharedMistake(const Scene& scene, const SceneRun& run) {
   const double duration = run.options.duration;
   if (run.result.failed()) return "the run did not reach its end";
   if (run.energy.fails()) return "the run gains energy that nothing gives";
+  const bool rubs =
+      std::ranges::any_of(scene.model.obstacles, [](const auto& obstacle) { return obstacle.material.mu > 0.0; });
+  if (rubs && !scene.locateEvents) return "friction sticks and slips between steps (events are off)";
   if (!run.options.fixedStep) {
     return run.result.work.steps < 2 ? "the whole run is one step" : "";
   }
@@ -173,8 +176,13 @@ struct Approach {
   double change = 0.0;    ///< what the last refinement changed, in parts of the motion
   double ratio = 0.0;     ///< by how much less than the refinement before
   double distance = 0.0;  ///< of the first run from the finest
-  /// What the finest run has still before it, when further refinements shrink as the last did.
-  double rest() const { return ratio > 1.0 ? change / (ratio - 1.0) : std::numeric_limits<double>::infinity(); }
+  double expected = std::numeric_limits<double>::infinity();  ///< what the ratio tends to, where that is known
+  /// What the finest run has still before it, when further refinements shrink as the last did: at most as the method's
+  /// order has it, for more is an accident.
+  double rest() const {
+    const double shrinks = std::min(ratio, expected);
+    return shrinks > 1.0 ? change / (shrinks - 1.0) : std::numeric_limits<double>::infinity();
+  }
   /// Whether the first run's error can be told: the runs approach each other, or the finest is near its limit by now.
   /// Where the first is off by more than all that moves, which no approach bounds, the finest has to be near it.
   bool isSeen() const {
@@ -217,9 +225,14 @@ class Estimator {
       return settle(finer, scale, difference, 1.0, fixed_ ? "step halved" : "a tenth of the tolerance");
     const double ratio = changeToCoarser(scale) / change;
     const double expected = std::pow(2.0, run_.method.order);
-    const bool seen = fixed_ ? ratio > 0.6 * expected && ratio < 1.7 * expected : ratio > 4.0 && ratio < 30.0;
-    if (!seen || change > surelySmall) return refine(std::move(finer), change);
-    return settle(finer, scale, difference, ratio / (ratio - 1.0),
+    // Of a large error the next order's part may look like an order, so that it has to look the more like it.
+    const double wide = change > 0.01 ? 1.3 : 1.7;
+    const bool seen = fixed_ ? ratio > expected / wide && ratio < wide * expected : ratio > 4.0 && ratio < 30.0;
+    // A tolerance does not fix the steps, so that a run may be better than its finer one by accident.
+    const bool isDoubtful = !fixed_ && stepsTimesUnknowns() <= quicklyDone / 1000.0;
+    if (!seen || change > surelySmall || isDoubtful) return refine(std::move(finer), change);
+    const double shrinks = fixed_ ? std::min(ratio, expected) : ratio;
+    return settle(finer, scale, difference, shrinks / (shrinks - 1.0),
                   fixed_ ? fmt::format("step halved, order {} seen", run_.method.order) : "a tenth of the tolerance");
   }
 
@@ -232,11 +245,13 @@ class Estimator {
 
   /// Three, and up to six where they are quickly done.
   int mostRuns() const {
-    const double once = static_cast<double>(run_.result.work.steps) * run_.system->size();
     int most = 3;
-    while (fixed_ && most < 6 && once * std::pow(2.0, most + 1) <= quicklyDone) ++most;
+    while (fixed_ && most < 6 && stepsTimesUnknowns() * std::pow(2.0, most + 1) <= quicklyDone) ++most;
     return most;
   }
+
+  /// What a run costs.
+  double stepsTimesUnknowns() const { return static_cast<double>(run_.result.work.steps) * run_.system->size(); }
 
   /// Runs that approach each other faster than any error shrinks agree by accident. (Events are located by dense output
   /// of the fourth order or so.)
@@ -247,7 +262,8 @@ class Estimator {
 
   ErrorEstimate refine(RunResult before, double change) {
     const int most = mostRuns();
-    Approach approach{change, 0.0, change};
+    const double expected = fixed_ ? std::pow(2.0, run_.method.order) : std::numeric_limits<double>::infinity();
+    Approach approach{change, 0.0, change, expected};
     for (int n = 2; n <= most; ++n) {
       RunResult finest = runs_.at(std::pow(2.0, n));
       if (finest.failed()) return failure("the finest run did not reach its end");
@@ -255,7 +271,7 @@ class Estimator {
       const Sizes difference = runs_.differenceFromFirst(finest);
       const double last = scale.errorOf(runs_.difference(before, finest));
       approach = {last, last > 0.0 ? approach.change / last : std::numeric_limits<double>::infinity(),
-                  scale.errorOf(difference)};
+                  scale.errorOf(difference), expected};
       const bool settled = isAbout(scale.motion, scaleOf(scene_, run_, before).motion);
       const bool seen = settled && approach.isSeen() && (n == most || approach.ratio <= fastestApproach());
       if (seen || last <= 4.0 * scale.rounding()) {

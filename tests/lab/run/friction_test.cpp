@@ -6,6 +6,7 @@
 #include "engine/control/simulate.h"
 #include "engine/integrators/catalogue.h"
 #include "engine/model/model_system.h"
+#include "lab/run/error_estimate.h"
 
 #include <gtest/gtest.h>
 #include <array>
@@ -51,6 +52,18 @@ std::array<double, 4> byCoulomb() {
   odeint::integrate_adaptive(odeint::make_controlled(1e-14, 1e-14, odeint::runge_kutta_fehlberg78<Numbers>()), slope, y,
                              0.0, duration, 1e-3);
   return y;
+}
+
+/// Without events every run takes friction between steps as it was before them: finer runs share that mistake.
+TEST(SlidingFriction, HasNoEstimateWithoutEvents) {
+  Scene scene;
+  scene.model = incline();
+  scene.method = "velocity_verlet";
+  scene.step = 1e-3;
+  scene.duration = duration;
+  EXPECT_EQ(estimateError(scene, runScene(scene)).failure, "");
+  scene.locateEvents = false;
+  EXPECT_EQ(estimateError(scene, runScene(scene)).failure, "friction sticks and slips between steps (events are off)");
 }
 
 TEST(SlidingFriction, IsInsideTheErrorControl) {
