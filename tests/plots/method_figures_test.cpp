@@ -3,6 +3,7 @@
 /// gives the name to, so that a name at the wrong curve fails too.
 
 #include "figure_list.h"
+#include "harness/types.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,6 +12,8 @@
 #include <complex>
 #include <numbers>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace muelle::plots {
 namespace {
