@@ -36,7 +36,8 @@ RunResult simulate(const DynamicalSystem& system, Integrator& method, State star
   RunResult result;
   auto begun = Clock::now();
   StabilityLooks looks(system, method.info(), options);
-  Simulation simulation(system, method, start, options);
+  const StepOptions& stepping = options;
+  Simulation simulation(system, method, start, stepping);
   checkOutputOptions(options, start);
   if (looks.wanted() && !simulation.stop().stopped) {
     begun = Clock::now();

@@ -114,7 +114,7 @@ bool RestSearch::onCusp() {
     result_.nodes.insert(result_.nodes.end(), cusp.nodes.begin(), cusp.nodes.end());
   }
   std::ranges::sort(result_.nodes);
-  result_.nodes.erase(std::ranges::unique(result_.nodes).begin(), result_.nodes.end());
+  result_.nodes.erase(std::unique(result_.nodes.begin(), result_.nodes.end()), result_.nodes.end());
   return !result_.cusps.empty();
 }
 
