@@ -1,6 +1,7 @@
 #include "engine/control/run_checks.h"
 
 #include "base/text/count.h"
+#include "engine/control/step_planner.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -108,9 +109,8 @@ void checkSizes(const DynamicalSystem& system, const State& start) {
 }
 
 double shortestPeriodOf(const DynamicalSystem& system, double from, double to) {
-  std::vector<double> times = {from};
-  if (system.switching() != nullptr) system.switching()->declaredTimes(from, to, times);
-  times.push_back(to);
+  std::vector<double> times = declaredTimes(system, from, to);
+  times.insert(times.end(), {from, to});
   std::sort(times.begin(), times.end());
   double shortest = system.shortestPeriod(from);
   for (std::size_t i = 1; i < times.size(); ++i) {

@@ -1,6 +1,7 @@
 #include "lab/run/error_estimate.h"
 
 #include "engine/control/run_checks.h"
+#include "engine/control/step_planner.h"
 #include "engine/integrators/catalogue.h"
 
 #include <fmt/format.h>
@@ -121,8 +122,8 @@ Scale scaleOf(const Scene& scene, const SceneRun& run, const RunResult& finest) 
 
 /// The shortest stretch between times at which a force jumps or a motion begins or ends.
 double shortestStretch(const engine::DynamicalSystem& system, double duration) {
-  std::vector<double> times = {0.0};
-  if (system.switching() != nullptr) system.switching()->declaredTimes(0.0, duration, times);
+  std::vector<double> times = engine::declaredTimes(system, 0.0, duration);
+  times.insert(times.begin(), 0.0);
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < times.size(); ++i) {
     if (times[i] > times[i - 1]) shortest = std::min(shortest, times[i] - times[i - 1]);
