@@ -16,4 +16,8 @@ expect() {
     printf 'muelle %s %s: an error is one line that begins with "muelle: ", got:\n%s\n' "$word" "$*" "$printed" >&2
     failures=$((failures + 1))
   fi
+  if [[ $printed == *$'\e'* ]]; then
+    printf 'muelle %s %s: escape sequences without a terminal\n' "$word" "$*" >&2
+    failures=$((failures + 1))
+  fi
 }
