@@ -34,10 +34,10 @@ class Drag {
  public:
   virtual ~Drag() = default;
 
-  /// Coefficients d_i [kg/s], one per unknown, not negative.
+  /// Coefficients d_i [kg/s], one per lane, not negative; 0 where a lane is no unknown.
   virtual std::span<const double> coefficients() const = 0;
-  /// Overwrites f with all forces but this drag [N].
-  virtual void forceWithoutDrag(double t, In x, In v, In z, Out f) const = 0;
+  /// Overwrites a with all forces but this drag over the masses [m/s^2].
+  virtual void accelerationWithoutDrag(double t, In x, In v, In z, Out a) const = 0;
   /// Whether the forces without the drag still depend on the velocity (a method then evaluates them twice a step).
   virtual bool remainderUsesVelocity() const { return true; }
 };

@@ -7,13 +7,29 @@
 
 namespace muelle::engine {
 
-/// A problem M a = F(t, x, v; z) with the capabilities that it has. The unknowns are the free degrees of freedom:
-/// neither pins nor the dimension appear here. Internal variables z are frozen within a step.
+/// A problem M a = F(t, x, v; z) with the capabilities that it has. The unknowns are the free degrees of freedom.
+/// Internal variables z are frozen within a step.
+///
+/// The layout of x, v, f and a belongs to the system: arrays of storage() lanes, of which size() are unknowns. The
+/// others are nodes that are held or moved, and padding: mass() and inverseMass() are 0 there, and so is a. A method
+/// treats all lanes alike, so that nothing is gathered or copied; linear algebra numbers the unknowns by lanes().
 ///
 /// A null capability is one that the system lacks; a method that needs it says so before the first step.
 /// The functions are const, yet they may use scratch memory of the system: one thread a system.
 class DynamicalSystem : public muelle::DynamicalSystem {
  public:
+  /// Length of x, v, f, a and of mass() and inverseMass().
+  virtual int storage() const { return size(); }
+  /// The lane of each unknown, ascending; empty where unknown i is lane i.
+  virtual std::span<const int> lanes() const { return {}; }
+  /// 1/m [1/kg] of each lane; 0 where a lane is no unknown.
+  virtual std::span<const double> inverseMass() const;
+  /// Overwrites a with F/m [m/s^2], 0 in lanes that are no unknowns.
+  virtual void acceleration(double t, In x, In v, In z, Out a) const;
+  /// Writes the lanes of moved nodes, which are functions of t. Whoever makes an x or v for a time (a stage, the end of
+  /// a step) places them before it goes into a force; a state that was committed is placed.
+  virtual void place(double /*t*/, In /*z*/, Out /*x*/, Out /*v*/) const {}
+
   /// Length of the internal variables z.
   virtual int internalSize() const { return 0; }
   /// Whether the force depends on the velocity anywhere (a Nystroem method needs that it does not).
@@ -48,6 +64,9 @@ class DynamicalSystem : public muelle::DynamicalSystem {
   virtual std::string unknownName(int i) const;
   /// Degrees of freedom a node, to tell nodes apart in messages and constraints: 1, 2 or 3.
   virtual int dimension() const { return 1; }
+
+ private:
+  mutable std::vector<double> inverseMass_;  ///< of a system that has none of its own, made when first asked for
 };
 
 }  // namespace muelle::engine

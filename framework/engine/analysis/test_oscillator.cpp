@@ -14,8 +14,8 @@ void TestOscillator::discreteGradientForce(double, In xa, In xb, In, Out f) cons
   f[0] = -stiffness * 0.5 * (xa[0] + xb[0]);
 }
 
-void TestOscillator::forceWithoutDrag(double, In x, In v, In, Out f) const {
-  f[0] = -stiffness * x[0] - damping * v[0];
+void TestOscillator::accelerationWithoutDrag(double, In x, In v, In, Out a) const {
+  a[0] = -stiffness * x[0] - damping * v[0];
 }
 
 void TestOscillator::assemble(double cM, double cD, double cK, double, In, In, In, Form, SystemMatrix& J) const {

@@ -26,7 +26,7 @@ class TestOscillator : public DynamicalSystem, public Potential, public Drag, pu
   void conservativeForce(double t, In x, In z, Out f) const override;
   void discreteGradientForce(double t, In xa, In xb, In z, Out f) const override;
   std::span<const double> coefficients() const override { return {&drag1, 1}; }
-  void forceWithoutDrag(double t, In x, In v, In z, Out f) const override;
+  void accelerationWithoutDrag(double t, In x, In v, In z, Out a) const override;
   bool remainderUsesVelocity() const override { return damping != 0.0; }
   void assemble(double cM, double cD, double cK, double t, In x, In v, In z, Form form, SystemMatrix& J) const override;
   int count() const override { return 1; }

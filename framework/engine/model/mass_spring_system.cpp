@@ -105,11 +105,13 @@ void MassSpringSystem::force(double t, In x, In v, In z, Out f) const {
   finish(f);
 }
 
-void MassSpringSystem::forceWithoutDrag(double t, In x, In v, In z, Out f) const {
+void MassSpringSystem::accelerationWithoutDrag(double t, In x, In v, In z, Out a) const {
   const Configuration at = gather(t, x, v, z, first_);
-  double* sum = start(f);
+  double* sum = start(a);
   for (const auto& batch : batches_) batch->addForce(at, sum);
-  finish(f);
+  finish(a);
+  const std::span<const double> w = inverseMass();
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] *= w[i];
 }
 
 double MassSpringSystem::shortestPeriod(double t) const {

@@ -70,7 +70,7 @@ class MassSpringSystem final : public ModelSystem,
   void discreteGradientForce(double t, In xa, In xb, In z, Out f) const override;
   // Drag
   std::span<const double> coefficients() const override { return drag_->coefficients(); }
-  void forceWithoutDrag(double t, In x, In v, In z, Out f) const override;
+  void accelerationWithoutDrag(double t, In x, In v, In z, Out a) const override;
   bool remainderUsesVelocity() const override;
   // Linearisation
   void assemble(double cM, double cD, double cK, double t, In x, In v, In z, Form form, SystemMatrix& J) const override;

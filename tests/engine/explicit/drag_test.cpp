@@ -38,7 +38,7 @@ TEST(Drag, WithAConstantForceIsSolvedExactly) {
   class Falling : public LinearSystem {
    public:
     Falling() : LinearSystem(0.0, 3.0) {}
-    void forceWithoutDrag(double, In, In, In, Out f) const override { f[0] = 6.0; }
+    void accelerationWithoutDrag(double, In, In, In, Out a) const override { a[0] = 6.0; }
   };
   const Falling system;
   for (const int steps : {1, 7, 100, 1000}) {

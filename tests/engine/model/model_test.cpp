@@ -281,7 +281,7 @@ TEST(Allocation, NoneInForceOrEnergyAfterTheFirst) {
   SystemMatrix J;
   const auto round = [&] {
     system->force(0.1, s.x, s.v, s.z, f);
-    system->drag()->forceWithoutDrag(0.1, s.x, s.v, s.z, f);
+    system->drag()->accelerationWithoutDrag(0.1, s.x, s.v, s.z, f);
     system->potential()->energy(0.1, s.x, s.z);
     system->potential()->conservativeForce(0.1, s.x, s.z, f);
     system->potential()->discreteGradientForce(0.1, s.x, s.x, s.z, f);

@@ -47,9 +47,10 @@ void LinearSystem::assemble(double cM, double cD, double cK, double, In, In, In,
   J.symmetric = true;
 }
 
-void LinearSystem::forceWithoutDrag(double, In x, In v, In, Out f) const {
-  vector(f).noalias() = -(K_ * vector(x));
-  if (!diagonalDamping_) vector(f).noalias() -= D_ * vector(v);
+void LinearSystem::accelerationWithoutDrag(double, In x, In v, In, Out a) const {
+  vector(a).noalias() = -(K_ * vector(x));
+  if (!diagonalDamping_) vector(a).noalias() -= D_ * vector(v);
+  vector(a).array() /= mass_.array();
 }
 
 }  // namespace muelle::engine::testing

@@ -30,7 +30,7 @@ class LinearSystem : public DynamicalSystem, public Potential, public Linearisat
   std::span<const double> coefficients() const override {
     return {drag_.data(), static_cast<std::size_t>(drag_.size())};
   }
-  void forceWithoutDrag(double t, In x, In v, In z, Out f) const override;
+  void accelerationWithoutDrag(double t, In x, In v, In z, Out a) const override;
   bool remainderUsesVelocity() const override { return !diagonalDamping_; }
 
  private:

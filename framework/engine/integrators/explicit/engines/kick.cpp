@@ -7,10 +7,7 @@ namespace muelle::engine {
 void Kick::prepare(const DynamicalSystem& system) {
   drag_ = system.drag();
   usesVelocity_ = drag_ != nullptr ? drag_->remainderUsesVelocity() : system.forceUsesVelocity();
-  const std::span<const double> mass = system.mass();
-  inverseMass_.resize(mass.size());
-  std::transform(mass.begin(), mass.end(), inverseMass_.begin(), [](double m) { return 1.0 / m; });
-  acceleration_.assign(mass.size(), 0.0);
+  acceleration_.assign(static_cast<std::size_t>(system.storage()), 0.0);
   restart();
 }
 
@@ -21,12 +18,11 @@ void Kick::restart() {
 
 void Kick::evaluate(const DynamicalSystem& system, double t, In x, In v, In z, Work& work) {
   if (drag_ != nullptr) {
-    drag_->forceWithoutDrag(t, x, v, z, acceleration_);
+    drag_->accelerationWithoutDrag(t, x, v, z, acceleration_);
   } else {
-    system.force(t, x, v, z, acceleration_);
+    system.acceleration(t, x, v, z, acceleration_);
   }
   ++work.forceEvaluations;
-  for (std::size_t i = 0; i < acceleration_.size(); ++i) acceleration_[i] *= inverseMass_[i];
 }
 
 void Kick::start(const DynamicalSystem& system, const State& from, Work& work) {

@@ -29,7 +29,6 @@ class Kick {
   bool usesVelocity_ = true;
   bool accepted_ = false;
   StateMark end_;
-  std::vector<double> inverseMass_;
   std::vector<double> acceleration_;
 };
 
