@@ -46,7 +46,7 @@ inline Segments springsOf(const engine::ModelSystem& system, const State& state)
 inline void moveTo(const engine::ModelSystem& system, State& state, int node, const Vec3& position) {
   for (int axis = 0; axis < 3; ++axis) {
     if (system.model().dimension == 2 && axis == 1) continue;
-    state.x[static_cast<std::size_t>(system.unknown(node, axis))] = position[axis];
+    state.x[static_cast<std::size_t>(system.lane(node, axis))] = position[axis];
   }
 }
 
@@ -57,7 +57,7 @@ inline Vec3 forceOn(const engine::ModelSystem& system, const State& state, int n
   Vec3 force = Vec3::Zero();
   for (int axis = 0; axis < 3; ++axis) {
     if (system.model().dimension == 2 && axis == 1) continue;
-    force[axis] = all[static_cast<std::size_t>(system.unknown(node, axis))];
+    force[axis] = all[static_cast<std::size_t>(system.lane(node, axis))];
   }
   return force;
 }

@@ -78,9 +78,9 @@ class Linearisation {
 struct Constraint {
   enum class Kind { Distance, Other };
   Kind kind = Kind::Other;
-  int count = 0;                      ///< how many of the entries below are in use (free unknowns only)
-  std::array<int, 12> unknown{};      ///< indices into x; a distance has node a's unknowns first, then node b's
-  std::array<double, 12> gradient{};  ///< dC/dx of these unknowns
+  int count = 0;                      ///< how many of the entries below are in use
+  std::array<int, 12> lane{};         ///< indices into x; a distance has node a's lanes first, then node b's
+  std::array<double, 12> gradient{};  ///< dC/dx of these lanes, those of held nodes among them
   double value = 0.0;                 ///< C [m] for a distance L - L0
   double compliance = 0.0;            ///< 1/k, so that the energy is C^2 / (2 compliance)
   double damping = 0.0;               ///< projected damping d: force -d dC/dt along the gradient
@@ -94,10 +94,7 @@ class Constraints {
   virtual int count() const = 0;
   /// Whether all of them are distances, those that do not act included.
   virtual bool onlyDistances() const { return true; }
-  /// Overwrites `all` with x and, behind it, what evaluate() needs besides at time t (nodes that are pinned or moved).
-  /// A sweep over many constraints calls this once and hands `all` to evaluate(), which else has to gather each time.
-  virtual void extend(double /*t*/, In x, std::vector<double>& all) const { all.assign(x.begin(), x.end()); }
-  /// Evaluates constraint j at x, or at what extend() made of it; false when it does not act (an open contact).
+  /// Evaluates constraint j at x; false when it does not act (an open contact).
   virtual bool evaluate(int j, double t, In x, In z, Constraint& out) const = 0;
   /// Overwrites f with the forces that no constraint covers: gravity, drag, external forces.
   virtual void externalForce(double t, In x, In v, In z, Out f) const = 0;
@@ -107,9 +104,8 @@ class Constraints {
 
 /// A rod: two nodes whose distance never changes.
 struct Rod {
-  int a = -1, b = -1;            ///< first unknown of each end, -1 when a pin holds it; not both
-  std::array<double, 3> held{};  ///< place of a held end [m]
-  double length = 1.0;           ///< [m]
+  std::array<int, 3> a{}, b{};  ///< lanes of the ends' components, as many as the system has dimensions
+  double length = 1.0;          ///< [m]
 };
 
 /// Where the force is not smooth. Modes are kept in z: live (as the positions say) as long as events are not located,

@@ -20,7 +20,7 @@ class DynamicalSystem : public muelle::DynamicalSystem {
  public:
   /// Length of x, v, f, a and of mass() and inverseMass().
   virtual int storage() const { return size(); }
-  /// The lane of each unknown, ascending; empty where unknown i is lane i.
+  /// The lane of each unknown; empty where unknown i is lane i.
   virtual std::span<const int> lanes() const { return {}; }
   /// 1/m [1/kg] of each lane; 0 where a lane is no unknown.
   virtual std::span<const double> inverseMass() const;
@@ -53,8 +53,8 @@ class DynamicalSystem : public muelle::DynamicalSystem {
   /// Whether something ties the system to a place: a node that is held or moved, an obstacle, drag, a field that
   /// varies. Without it the motion is the same however fast all of it flies by.
   virtual bool isTied() const { return true; }
-  /// Overwrites x and v with the positions and velocities of all nodes, dimension() numbers each: the unknowns in their
-  /// order, then the nodes that are held or moved.
+  /// Overwrites x and v with the positions and velocities of all nodes, dimension() numbers each, in the system's order:
+  /// the held ones too.
   virtual void everyNode(const State& state, std::vector<double>& x, std::vector<double>& v) const {
     x = state.x;
     v = state.v;
@@ -68,5 +68,13 @@ class DynamicalSystem : public muelle::DynamicalSystem {
  private:
   mutable std::vector<double> inverseMass_;  ///< of a system that has none of its own, made when first asked for
 };
+
+/// The lane of an unknown.
+inline std::size_t laneOf(const DynamicalSystem& system, int unknown) {
+  const std::span<const int> lanes = system.lanes();
+  return static_cast<std::size_t>(lanes.empty() ? unknown : lanes[static_cast<std::size_t>(unknown)]);
+}
+/// A lane in the user's words: the unknown's name, or that it is none.
+std::string laneName(const DynamicalSystem& system, int lane);
 
 }  // namespace muelle::engine

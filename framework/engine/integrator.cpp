@@ -40,10 +40,10 @@ void Integrator::updateEnds(const DynamicalSystem& system, const State& from, co
   ends_.system = &system;
   ends_.from = from;
   ends_.to = to;
-  ends_.forceFrom.resize(from.x.size());
-  ends_.forceTo.resize(from.x.size());
-  system.force(from.t, from.x, from.v, from.z, ends_.forceFrom);
-  system.force(to.t, to.x, to.v, from.z, ends_.forceTo);
+  ends_.accelerationFrom.resize(from.x.size());
+  ends_.accelerationTo.resize(from.x.size());
+  system.acceleration(from.t, from.x, from.v, from.z, ends_.accelerationFrom);
+  system.acceleration(to.t, to.x, to.v, from.z, ends_.accelerationTo);
   work_.forceEvaluations += 2;
 }
 
@@ -52,13 +52,12 @@ void Integrator::interpolate(const DynamicalSystem& system, const State& from, c
   updateEnds(system, from, to);
   const double h = to.t - from.t;
   const auto n = from.x.size();
-  const std::span<const double> m = system.mass();
   out.t = from.t + theta * h;
   out.x.resize(n);
   out.v.resize(n);
   out.z = from.z;
   for (std::size_t i = 0; i < n; ++i) {
-    const double a0 = ends_.forceFrom[i] / m[i], a1 = ends_.forceTo[i] / m[i];
+    const double a0 = ends_.accelerationFrom[i], a1 = ends_.accelerationTo[i];
     out.x[i] = quintic(theta, from.x[i], h * from.v[i], h * h * a0, to.x[i], h * to.v[i], h * h * a1);
     out.v[i] = cubic(theta, from.v[i], h * a0, to.v[i], h * a1);
   }

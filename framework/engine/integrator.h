@@ -56,7 +56,8 @@ class Integrator {
   virtual void restart() {}
   /// Called when the last step() was accepted: methods with memory shift it here, so that a rejected step leaves none.
   virtual void accept() {}
-  /// The state inside the last step, theta in [0, 1], for output and to find events; asked for only between step() and
+  /// The state inside the last step, theta in [0, 1], for output and to find events (moved nodes are the caller's to
+  /// place); asked for only between step() and
   /// the accept() or restart() that follows it. The default is the quintic (x) and cubic (v) Hermite interpolant, with
   /// two force evaluations a step; methods with a dense output of their own use it. None looks at to.z, which may have
   /// been committed already.
@@ -78,11 +79,11 @@ class Integrator {
   ErrorScale errorScale_;  ///< what the error estimate is measured by
 
  private:
-  /// The forces at both ends of the step that the default interpolate() was last asked about.
+  /// The accelerations at both ends of the step that the default interpolate() was last asked about.
   struct Ends {
     const DynamicalSystem* system = nullptr;
     State from, to;
-    std::vector<double> forceFrom, forceTo;
+    std::vector<double> accelerationFrom, accelerationTo;
   };
   void updateEnds(const DynamicalSystem& system, const State& from, const State& to);
 

@@ -26,7 +26,7 @@ constexpr double release = 1e-3;
 double addEnergy(Figure& figure) {
   const auto system = engine::build(compressed(0.0, 0.0));
   State state = system->initialState();
-  const auto y = static_cast<std::size_t>(system->unknown(2, 1));
+  const auto y = static_cast<std::size_t>(system->lane(2, 1));
   std::vector<double> heights = linear(-1.0, 1.0, 201), energies;
   for (const double height : heights) {
     state.x[y] = height;
@@ -69,7 +69,7 @@ void addMotion(Figure& figure, double rest) {
   for (const auto& [drag, name] : {std::pair(0.0, "no drag"), std::pair(3.0, "drag")}) {
     const auto leaving = engine::build(compressed(release, drag));
     const engine::RunResult result = run(*leaving, "runge_kutta_4", 1e-3, duration, 0.01);
-    motion.line(name, result.trajectory.t, result.trajectory.position(leaving->unknown(2, 1)));
+    motion.line(name, result.trajectory.t, result.trajectory.position(leaving->lane(2, 1)));
   }
   motion.reference("stable", {0.0, duration}, {rest, rest}).xRange(0.0, duration).yRange(-0.05, 1.1);
 }

@@ -66,7 +66,7 @@ void addOscillator(Figure::PanelBuilder panel) {
 /// meaning. Says where it leaves.
 std::string addFreeEnd(Figure::PanelBuilder& panel, const engine::ModelSystem& system, double h, int colour) {
   const Trajectory path = run(system, "velocity_verlet", h, 1.0).trajectory;
-  std::vector<double> end = path.position(system.unknown(10, 0));
+  std::vector<double> end = path.position(system.lane(10, 0));
   for (double& x : end) x = 1e3 * (x - 1.0);
   const auto lost = std::ranges::find_if(end, [](double x) { return std::abs(x) > mostEnd; });
   std::string leaves;

@@ -31,9 +31,11 @@ struct LinearisedSystem::Matrices {
   SystemMatrix K, D;
 };
 
-LinearisedSystem::LinearisedSystem(const DynamicalSystem& system, const State& state) : system_(system), state_(state) {
+LinearisedSystem::LinearisedSystem(const DynamicalSystem& system, const State& state) : system_(system) {
+  system_.follow(state);
+  state_ = system_.compact(state);
   if (state_.z.empty()) state_.z.assign(static_cast<std::size_t>(system.internalSize()), 0.0);
-  const Linearisation* linearisation = system.linearisation();
+  const Linearisation* linearisation = system_.linearisation();
   if (linearisation == nullptr) return;
   matrices_ = std::make_unique<Matrices>();
   const auto assemble = [&](double cD, double cK, SystemMatrix& J) {

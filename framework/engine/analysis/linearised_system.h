@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/dynamical_system.h"
+#include "engine/compact_system.h"
 
 #include <memory>
 #include <vector>
@@ -8,7 +8,7 @@ namespace muelle::engine {
 
 /// A system linearised about a state: M y'' + D y' + K y = 0 with K = -dF/dx, D = -dF/dv. The matrices come from the
 /// system's linearisation (sparse, with the low-rank part applied as such); without one, products come from central
-/// differences of the force, two evaluations each.
+/// differences of the force, two evaluations each. All vectors are of unknowns alone.
 class LinearisedSystem {
  public:
   LinearisedSystem(const DynamicalSystem& system, const State& state);
@@ -17,7 +17,7 @@ class LinearisedSystem {
   LinearisedSystem& operator=(const LinearisedSystem&) = delete;
 
   int size() const;
-  const DynamicalSystem& system() const { return system_; }
+  const CompactSystem& system() const { return system_; }
   /// Overwrites out with K y; with D y, drag included; and with the drag's part of D y.
   void stiffness(In y, Out out) const;
   void damping(In y, Out out) const;
@@ -29,8 +29,8 @@ class LinearisedSystem {
   struct Matrices;
   void difference(In y, bool ofVelocity, Out out) const;
 
-  const DynamicalSystem& system_;
-  State state_;
+  CompactSystem system_;
+  State state_;  ///< compact
   std::unique_ptr<Matrices> matrices_;  // null: by differences
 };
 

@@ -13,15 +13,17 @@ namespace muelle::engine {
 
 namespace {
 
-double massProduct(const DynamicalSystem& system, const std::vector<double>& y) {
+double massProduct(const CompactSystem& system, const std::vector<double>& y) {
   double sum = 0.0;
   for (std::size_t i = 0; i < y.size(); ++i) sum += system.mass()[i] * y[i] * y[i];
   return sum;
 }
 
 /// Adds the modes that hold energy at a state, `energy` in joule.
-void addModes(const DynamicalSystem& system, const State& state, std::vector<Mode>& modes) {
-  const LinearisedSystem linearised(system, state);
+void addModes(const DynamicalSystem& whole, const State& at, std::vector<Mode>& modes) {
+  const LinearisedSystem linearised(whole, at);
+  const CompactSystem& system = linearised.system();
+  const State state = system.compact(at);
   const double kinetic = 0.5 * massProduct(system, state.v);
   for (Mode mode : modesOf(linearised, state.v)) {
     mode.energy *= kinetic;

@@ -32,7 +32,7 @@ void TestOscillator::assemble(double cM, double cD, double cK, double, In, In, I
 bool TestOscillator::evaluate(int, double, In x, In, Constraint& out) const {
   out.kind = Constraint::Kind::Distance;
   out.count = 1;
-  out.unknown[0] = 0;
+  out.lane[0] = 0;
   out.gradient[0] = 1.0;
   out.value = x[0];
   out.compliance = 1.0 / stiffness;

@@ -18,8 +18,8 @@ constexpr double liveTime = 0.0, moving = 1.0, standing = 2.0;
 }  // namespace
 
 template <int D, class Shape>
-Contact<D, Shape>::Contact(ObstacleData<D> obstacle, Shape shape, std::vector<int> users, std::vector<double> masses)
-    : obstacle_(std::move(obstacle)), shape_(std::move(shape)), users_(std::move(users)), masses_(std::move(masses)) {
+Contact<D, Shape>::Contact(ObstacleData<D> obstacle, Shape shape, ContactNodes nodes)
+    : obstacle_(std::move(obstacle)), shape_(std::move(shape)), nodes_(std::move(nodes)) {
   stride_ = 1 + (Shape::hasFaces ? 1 : 0) + (hasFriction() ? FrictionMemory<D, double>::variables : 0);
 }
 
@@ -36,7 +36,7 @@ bool Contact<D, Shape>::stopped(const Configuration& at) const {
 
 template <int D, class Shape>
 auto Contact<D, Shape>::relativePosition(int node, const Configuration& at) const -> Vector {
-  Vector r = Eigen::Map<const Vector>(at.x + D * node) - obstacle_.centre;
+  Vector r = layout_.at<D>(at.x, builtOf(node)) - obstacle_.centre;
   if (moves()) r -= (stopped(at) ? obstacle_.stopTime : at.t) * obstacle_.velocity;
   return r;
 }
@@ -47,7 +47,7 @@ Meeting<D> Contact<D, Shape>::meet(int node, const Configuration& at) const {
   Meeting<D> m;
   m.r = relativePosition(node, at);
   m.touch = shape_.touch(m.r, Shape::hasFaces ? static_cast<int>(mine[faceAt]) : 0);
-  m.w = Eigen::Map<const Vector>(at.v + D * node);
+  m.w = layout_.at<D>(at.v, builtOf(node));
   if (moves() && !stopped(at)) m.w -= obstacle_.velocity;
   m.N = law().asIfClosed(m.touch, m.w);
   m.acts = mine[0] == mode::live ? m.touch.gap < 0.0 : mine[0] == mode::closed;
@@ -61,9 +61,9 @@ void Contact<D, Shape>::addForce(const Configuration& at, double* f) const {
     if (!m.acts) continue;
     const double* mine = own(i, at.z);
     const double N = law().force(m, mine[0]);
-    Eigen::Map<Vector> sum(f + D * i);
-    sum += N * m.touch.normal;
-    if (hasFriction()) sum += frictionOf(mine).force(m, N);
+    Vector F = N * m.touch.normal;
+    if (hasFriction()) F += frictionOf(mine).force(m, N);
+    layout_.add<D>(f, builtOf(i), F);
   }
 }
 
@@ -71,7 +71,7 @@ template <int D, class Shape>
 void Contact<D, Shape>::addForceWithoutFriction(const Configuration& at, double* f) const {
   for (int i = 0; i < nodes(); ++i) {
     const Meeting<D> m = meet(i, at);
-    if (m.acts) Eigen::Map<Vector>(f + D * i) += law().force(m, *own(i, at.z)) * m.touch.normal;
+    if (m.acts) layout_.add<D>(f, builtOf(i), Vector(law().force(m, *own(i, at.z)) * m.touch.normal));
   }
 }
 
@@ -89,7 +89,7 @@ template <int D, class Shape>
 void Contact<D, Shape>::addConservativeForce(const Configuration& at, double* f) const {
   for (int i = 0; i < nodes(); ++i) {
     const Meeting<D> m = meet(i, at);
-    if (m.acts) Eigen::Map<Vector>(f + D * i) += obstacle_.k * m.touch.depth * m.touch.normal;
+    if (m.acts) layout_.add<D>(f, builtOf(i), Vector(obstacle_.k * m.touch.depth * m.touch.normal));
   }
 }
 
@@ -108,14 +108,14 @@ void Contact<D, Shape>::addDiscreteGradientForce(const Configuration& a, const C
     } else if (n.isZero(0.0)) {
       n = mb.touch.normal;
     }
-    Eigen::Map<Vector>(f + D * i) += 0.5 * obstacle_.k * slope * n;
+    layout_.add<D>(f, builtOf(i), Vector(0.5 * obstacle_.k * slope * n));
   }
 }
 
 template <int D, class Shape>
 void Contact<D, Shape>::bind(const MatrixPattern& pattern) {
-  slots_.resize(users_.size());
-  for (int i = 0; i < nodes(); ++i) slots_[static_cast<std::size_t>(i)] = pattern.slot(i, i);
+  slots_.clear();
+  for (const int node : nodes_.built) slots_.push_back(pattern.slot(node, node));
 }
 
 template <int D, class Shape>
@@ -141,7 +141,7 @@ void Contact<D, Shape>::addDerivatives(const Configuration& at, double cD, doubl
 }
 
 template <int D, class Shape>
-bool Contact<D, Shape>::evaluateConstraint(int j, const Configuration& at, int, Constraint& out) const {
+bool Contact<D, Shape>::evaluateConstraint(int j, const Configuration& at, Constraint& out) const {
   const Meeting<D> m = meet(j, at);
   if (!m.acts || !(m.touch.depth > 0.0)) return false;
   out.kind = Constraint::Kind::Other;
@@ -150,7 +150,7 @@ bool Contact<D, Shape>::evaluateConstraint(int j, const Configuration& at, int, 
   out.compliance = 1.0 / obstacle_.k;
   out.damping = obstacle_.d;
   for (int c = 0; c < D; ++c) {
-    out.unknown[static_cast<std::size_t>(c)] = D * j + c;
+    out.lane[static_cast<std::size_t>(c)] = layout_.lane(builtOf(j), c);
     out.gradient[static_cast<std::size_t>(c)] = m.touch.normal[c];
   }
   return true;
@@ -172,7 +172,7 @@ void Contact<D, Shape>::guards(const Configuration& at, double* g) const {
 
 template <int D, class Shape>
 std::string Contact<D, Shape>::guardName(int i) const {
-  const int user = users_[static_cast<std::size_t>(i / guardsPerNode())];
+  const int user = nodes_.user[static_cast<std::size_t>(i / guardsPerNode())];
   if (i % guardsPerNode() == 1) return fmt::format("node {} stops slipping on '{}'", user, obstacle_.name);
   return fmt::format("node {} touches or leaves '{}'", user, obstacle_.name);
 }
@@ -209,7 +209,7 @@ bool Contact<D, Shape>::commit(const Configuration& at, bool frozen, double* z) 
     if (hasFriction()) {
       if (mine[0] != old) m = meet(i, at);
       const double N = law().force(m, mine[0]);
-      if (frictionOf(mine).follow(m, N, masses_[static_cast<std::size_t>(i)])) atRest_.push_back(i);
+      if (frictionOf(mine).follow(m, N, nodes_.mass[static_cast<std::size_t>(i)])) atRest_.push_back(i);
     }
   }
   return changed;
@@ -221,7 +221,7 @@ bool Contact<D, Shape>::balance(const Configuration& at, const double* f, double
   for (const int node : atRest_) {
     const Meeting<D> m = meet(node, at);
     double* mine = own(node, z);
-    const Eigen::Map<const Vector> load(f + D * node);
+    const Vector load = layout_.at<D>(f, builtOf(node));
     frictionOf(mine).balance(m, law().force(m, mine[0]), load);
   }
   atRest_.clear();
@@ -233,7 +233,7 @@ std::string Contact<D, Shape>::eventName(int guard, const double* z) const {
   const int node = guard / guardsPerNode();
   if (guard % guardsPerNode() == 1) return guardName(guard);
   const char* what = *own(node, z) == mode::closed ? "touches" : "leaves";
-  return fmt::format("node {} {} '{}'", users_[static_cast<std::size_t>(node)], what, obstacle_.name);
+  return fmt::format("node {} {} '{}'", nodes_.user[static_cast<std::size_t>(node)], what, obstacle_.name);
 }
 
 template <int D, class Shape>
@@ -251,7 +251,7 @@ void Contact<D, Shape>::close(const Configuration& at, double* z) const {
   double mass = 0.0, gap = 0.0;
   for (int i = 0; i < nodes(); ++i) {
     const Meeting<D> m = meet(i, at);
-    const double own = masses_[static_cast<std::size_t>(i)];
+    const double own = nodes_.mass[static_cast<std::size_t>(i)];
     if (chosen >= 0 && (own > mass || (own == mass && m.touch.gap >= gap))) continue;
     chosen = i;
     mass = own;
@@ -266,8 +266,8 @@ void Contact<D, Shape>::close(const Configuration& at, double* z) const {
 
 template <int D, class Shape>
 double Contact<D, Shape>::shortestBounce(const Configuration& at) const {
-  if (obstacle_.k <= 0.0 || masses_.empty() || isTouched(at)) return std::numeric_limits<double>::infinity();
-  const double lightest = *std::min_element(masses_.begin(), masses_.end());
+  if (obstacle_.k <= 0.0 || nodes_.mass.empty() || isTouched(at)) return std::numeric_limits<double>::infinity();
+  const double lightest = *std::min_element(nodes_.mass.begin(), nodes_.mass.end());
   return std::numbers::pi * std::sqrt(lightest / obstacle_.k);
 }
 
@@ -308,7 +308,7 @@ double Contact<D, Shape>::sweptBound(const Configuration& at, const double* a, d
   if (!std::isfinite(thickness)) return h;
   for (int i = 0; i < nodes(); ++i) {
     const Meeting<D> m = meet(i, at);
-    const Eigen::Map<const Vector> acceleration(a + D * i);
+    const Vector acceleration = layout_.at<D>(a, builtOf(i));
     // Towards the face that the node is at now: outside, the box's own memory is of the last commit.
     const Touch<D> now = m.touch.gap > 0.0 ? shape_.touch(m.r, 0) : m.touch;
     const double time = sweptTime(now.gap, m.w.dot(now.normal), acceleration.dot(now.normal), thickness);

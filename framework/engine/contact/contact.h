@@ -24,6 +24,12 @@ struct ObstacleData {
   Slider<D> slider;                                           ///< no friction where mu is 0
 };
 
+/// The free nodes, each with its number in the built model, the user's number for messages, and its mass [kg].
+struct ContactNodes {
+  std::vector<int> built, user;
+  std::vector<double> mass;
+};
+
 /// All free nodes against one obstacle: N = k depth - d w . n along the outward normal n, w the velocity relative to
 /// the obstacle; E = k depth^2 / 2 (slide "Contacto Externo"); friction by a Slider.
 ///
@@ -52,9 +58,7 @@ class Contact final : public ForceBatch {
   using Vector = Eigen::Matrix<double, D, 1>;
   using Block = Eigen::Matrix<double, D, D>;
 
-  /// \param users the user's number of each free node, for messages
-  /// \param masses [kg] of each free node
-  Contact(ObstacleData<D> obstacle, Shape shape, std::vector<int> users, std::vector<double> masses);
+  Contact(ObstacleData<D> obstacle, Shape shape, ContactNodes nodes);
 
   bool isConservative() const override;
   bool usesVelocity() const override { return obstacle_.d > 0.0 || hasFriction(); }
@@ -69,7 +73,7 @@ class Contact final : public ForceBatch {
   bool isNotSymmetric() const override;
 
   int constraintCount() const override { return nodes(); }
-  bool evaluateConstraint(int j, const Configuration& at, int freeSize, Constraint& out) const override;
+  bool evaluateConstraint(int j, const Configuration& at, Constraint& out) const override;
   void addExternalForce(const Configuration&, double*) const override {}
   std::string leftOut() const override;
 
@@ -91,7 +95,8 @@ class Contact final : public ForceBatch {
   double sweptBound(const Configuration& at, const double* a, double h) const override;
 
  private:
-  int nodes() const { return static_cast<int>(users_.size()); }
+  int nodes() const { return static_cast<int>(nodes_.built.size()); }
+  int builtOf(int node) const { return nodes_.built[static_cast<std::size_t>(node)]; }
   bool hasFriction() const { return D > 1 && obstacle_.slider.mu > 0.0; }
   int guardsPerNode() const { return hasFriction() ? 2 : 1; }
   bool moves() const { return !obstacle_.velocity.isZero(0.0); }
@@ -114,8 +119,7 @@ class Contact final : public ForceBatch {
 
   ObstacleData<D> obstacle_;
   Shape shape_;
-  std::vector<int> users_;
-  std::vector<double> masses_;
+  ContactNodes nodes_;
   int stride_;
   std::vector<BlockSlot> slots_;
   mutable std::vector<int> atRest_;  ///< nodes whose friction wants to be balanced

@@ -32,6 +32,12 @@ EventLocator::EventLocator(const DynamicalSystem& system, Integrator& method, St
   for (std::vector<double>* numbers : {&values_, &atFrom_, &atTo_, &slopeFrom_, &slopeTo_}) numbers->assign(count, 0.0);
 }
 
+/// The state inside the step from `from` to `to`, in inside_.
+void EventLocator::look(const State& from, const State& to, double theta) {
+  method_.interpolate(system_, from, to, theta, inside_);
+  system_.place(inside_.t, inside_.z, inside_.x, inside_.v);
+}
+
 const std::vector<double>& EventLocator::guards(const State& state) {
   switching_.guards(state.t, state.x, state.v, state.z, values_);
   return values_;
@@ -54,13 +60,13 @@ bool EventLocator::anyBeyond(const std::vector<double>& values) const {
 void EventLocator::start(State& state, double h) {
   if (side_.empty()) return;
   std::vector<double> acceleration(state.x.size());
-  system_.force(state.t, state.x, state.v, state.z, acceleration);
-  for (std::size_t i = 0; i < acceleration.size(); ++i) acceleration[i] /= system_.mass()[i];
+  system_.acceleration(state.t, state.x, state.v, state.z, acceleration);
   const auto isZero = [](double value) { return value == 0.0; };
   guards(state);
   for (const double fraction : {1e-9, 1e-6, 1e-3}) {
     if (std::none_of(values_.begin(), values_.end(), isZero)) break;
     moveAlong(state, fraction * h, acceleration, inside_);
+    system_.place(inside_.t, inside_.z, inside_.x, inside_.v);
     switching_.commit(inside_, false);  // live, so that the modes are decided anew
     switching_.commit(inside_, true);
     guards(inside_);
@@ -123,7 +129,7 @@ bool EventLocator::scan(const State& from, const State& to) {
   scanLow_ = 0.0;
   for (int k = 1; k <= samples; ++k) {
     scanHigh_ = static_cast<double>(k) / samples;
-    if (k < samples) method_.interpolate(system_, from, to, scanHigh_, inside_);
+    if (k < samples) look(from, to, scanHigh_);
     const State& state = k < samples ? inside_ : to;
     guards(state);
     if (anyBeyond(values_)) {
@@ -143,7 +149,7 @@ bool EventLocator::scan(const State& from, const State& to) {
 double EventLocator::denseRoot(int i, const State& from, const State& to, double low, double high) {
   for (int n = 0; n < 20; ++n) {
     const double middle = 0.5 * (low + high);
-    method_.interpolate(system_, from, to, middle, inside_);
+    look(from, to, middle);
     (isBeyond(i, guard(i, inside_)) ? high : low) = middle;
   }
   return high;

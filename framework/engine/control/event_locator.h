@@ -37,6 +37,7 @@ class EventLocator {
 
  private:
   double guard(int i, const State& state);
+  void look(const State& from, const State& to, double theta);
   const std::vector<double>& guards(const State& state);
   bool isBeyond(int i, double value) const;
   bool anyBeyond(const std::vector<double>& values) const;

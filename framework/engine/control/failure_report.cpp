@@ -12,8 +12,8 @@ StopReport notFiniteForce(const DynamicalSystem& system, const State& state, dou
   system.force(t, state.x, state.v, state.z, force);
   for (std::size_t i = 0; i < force.size(); ++i) {
     if (std::isfinite(force[i])) continue;
-    const int unknown = static_cast<int>(i);
-    return {true, t, unknown, fmt::format("t = {:.6g} s, {}: the force is not finite", t, system.unknownName(unknown))};
+    const int lane = static_cast<int>(i);
+    return {true, t, lane, fmt::format("t = {:.6g} s, {}: the force is not finite", t, laneName(system, lane))};
   }
   return {};
 }

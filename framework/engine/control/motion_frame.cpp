@@ -11,9 +11,10 @@ namespace {
 std::vector<double> meanVelocity(const DynamicalSystem& system, const State& state) {
   const auto dimension = static_cast<std::size_t>(system.dimension());
   std::vector<double> momentum(dimension, 0.0), mass(dimension, 0.0);
-  for (std::size_t i = 0; i < state.v.size(); ++i) {
-    momentum[i % dimension] += system.mass()[i] * state.v[i];
-    mass[i % dimension] += system.mass()[i];
+  for (int i = 0; i < system.size(); ++i) {
+    const std::size_t lane = laneOf(system, i), c = static_cast<std::size_t>(i) % dimension;
+    momentum[c] += system.mass()[lane] * state.v[lane];
+    mass[c] += system.mass()[lane];
   }
   for (std::size_t c = 0; c < dimension; ++c) momentum[c] /= mass[c];
   return momentum;
@@ -35,10 +36,10 @@ double longestSide(const std::vector<double>& x, std::size_t dimension) {
 
 /// The largest acceleration of an unknown [m/s^2]; 0 where it is not finite.
 double largestAcceleration(const DynamicalSystem& system, const State& state) {
-  std::vector<double> force(state.x.size());
-  system.force(state.t, state.x, state.v, state.z, force);
+  std::vector<double> acceleration(state.x.size());
+  system.acceleration(state.t, state.x, state.v, state.z, acceleration);
   double largest = 0.0;
-  for (std::size_t i = 0; i < force.size(); ++i) largest = std::max(largest, std::abs(force[i]) / system.mass()[i]);
+  for (const double a : acceleration) largest = std::max(largest, std::abs(a));
   return std::isfinite(largest) ? largest : 0.0;
 }
 

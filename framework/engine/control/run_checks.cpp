@@ -90,20 +90,21 @@ void checkRodsAreHeld(const DynamicalSystem& system, const MethodInfo& method) {
 }
 
 void checkSizes(const DynamicalSystem& system, const State& start) {
-  const auto size = static_cast<std::size_t>(system.size());
-  require(size > 0, "the system has no unknown");
+  const auto size = static_cast<std::size_t>(system.storage());
+  require(system.size() > 0, "the system has no unknown");
   require(start.x.size() == size && start.v.size() == size,
           fmt::format("the state has {} and {}, the system {}", counted(std::ssize(start.x), "position"),
-                      counted(std::ssize(start.v), "velocity", "velocities"), counted(system.size(), "unknown")));
+                      counted(std::ssize(start.v), "velocity", "velocities"), counted(system.storage(), "lane")));
   const auto internal = static_cast<std::size_t>(system.internalSize());
   require(start.z.empty() || start.z.size() == internal,
           fmt::format("the state has {}, the system {}", counted(std::ssize(start.z), "internal variable"), internal));
   const std::span<const double> mass = system.mass();
   require(mass.size() == size,
-          fmt::format("{} for {}", counted(std::ssize(mass), "mass", "masses"), counted(system.size(), "unknown")));
-  for (std::size_t i = 0; i < size; ++i) {
-    require(isPositive(mass[i]), fmt::format("{}: the mass is {} kg; a mass is positive and finite",
-                                             system.unknownName(static_cast<int>(i)), mass[i]));
+          fmt::format("{} for {}", counted(std::ssize(mass), "mass", "masses"), counted(system.storage(), "lane")));
+  for (int i = 0; i < system.size(); ++i) {
+    const double m = mass[laneOf(system, i)];
+    require(isPositive(m),
+            fmt::format("{}: the mass is {} kg; a mass is positive and finite", system.unknownName(i), m));
   }
   require(std::isfinite(start.t), "the start time is not finite");
 }

@@ -36,7 +36,7 @@ State checked(const DynamicalSystem& system, const MethodInfo& method, State sta
 /// With the energy of all that has one, and the system's names.
 RunMonitor monitorOf(const DynamicalSystem& system, const StepOptions& options) {
   return {system, options.explosion, options.duration,
-          [&system](std::size_t unknown) { return system.unknownName(static_cast<int>(unknown)); },
+          [&system](std::size_t unknown) { return laneName(system, static_cast<int>(unknown)); },
           potentialEnergyOf(system)};
 }
 
@@ -93,7 +93,7 @@ void Simulation::setState(State state) {
     const auto bad = std::ranges::find_if_not(*values, [](double value) { return std::isfinite(value); });
     if (bad == values->end()) continue;
     throw std::invalid_argument(fmt::format("setState: {}: the {} is not finite",
-                                            system_.unknownName(static_cast<int>(bad - values->begin())),
+                                            laneName(system_, static_cast<int>(bad - values->begin())),
                                             values == &state.x ? "position" : "velocity"));
   }
   if (state.z.empty()) state.z.assign(static_cast<std::size_t>(system_.internalSize()), 0.0);
@@ -173,6 +173,7 @@ const State& Simulation::at(double t) {
         fmt::format("at: t = {} s is not in the last step, which goes from {} to {} s", t, stepBegin(), state_.t));
   }
   method_.interpolate(system_, other_, state_, (t - other_.t) / (state_.t - other_.t), inside_);
+  system_.place(inside_.t, inside_.z, inside_.x, inside_.v);
   inside_.t = t;
   return inside_;
 }

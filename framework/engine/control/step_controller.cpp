@@ -33,11 +33,6 @@ void StepController::fail(double length) {
 
 namespace {
 
-void acceleration(const DynamicalSystem& system, const State& state, std::vector<double>& a) {
-  system.force(state.t, state.x, state.v, state.z, a);
-  for (std::size_t i = 0; i < a.size(); ++i) a[i] /= system.mass()[i];
-}
-
 double largest(const std::vector<double>& values) {
   double result = 0.0;
   for (const double value : values) result = std::max(result, std::abs(value));
@@ -50,7 +45,7 @@ double firstStep(const DynamicalSystem& system, const State& start, int order, d
                  const ErrorScale& scale, double duration, Work& work) {
   const std::size_t n = start.x.size();
   std::vector<double> a0(n), a1(n);
-  acceleration(system, start, a0);
+  system.acceleration(start.t, start.x, start.v, start.z, a0);
   const double slope = std::max(scale.velocity / scale.position, largest(a0) / scale.velocity);
   const double trial = std::min(0.01 / slope, duration);
 
@@ -60,7 +55,8 @@ double firstStep(const DynamicalSystem& system, const State& start, int order, d
     moved.x[i] += trial * start.v[i];
     moved.v[i] += trial * a0[i];
   }
-  acceleration(system, moved, a1);
+  system.place(moved.t, moved.z, moved.x, moved.v);
+  system.acceleration(moved.t, moved.x, moved.v, moved.z, a1);
   work.forceEvaluations += 2;
   for (std::size_t i = 0; i < n; ++i) a1[i] -= a0[i];
   const double curvature = std::sqrt(largest(a1) / (trial * scale.velocity));

@@ -43,6 +43,7 @@ StepResult Stepper::step(const State& from, double h, double t, State& to) {
     to.z = from.z;
   }
   to.t = t;
+  if (result.done) system_.place(t, to.z, to.x, to.v);
   return result;
 }
 

@@ -36,21 +36,18 @@ class ElementBatch final : public ForceBatch {
   /// Form::Projected clamps the negative eigenvalues of each element's matrix at 0.
   void addDerivatives(const Configuration& at, double cD, double cK, Form form, double* values) const override;
   int constraintCount() const override { return static_cast<int>(elements_.size()); }
-  bool evaluateConstraint(int j, const Configuration& at, int freeSize, Constraint& out) const override;
+  bool evaluateConstraint(int j, const Configuration& at, Constraint& out) const override;
   void addExternalForce(const Configuration&, double*) const override {}
 
  private:
-  static Positions gather(const Element& element, const double* x) {
+  Positions gather(const Element& element, const double* x) const {
     Positions X;
-    for (int i = 0; i < N; ++i) {
-      X.col(i) = Eigen::Map<const Eigen::Matrix<double, D, 1>>(x + D * element.nodes[static_cast<std::size_t>(i)]);
-    }
+    for (int i = 0; i < N; ++i) X.col(i) = layout_.at<D>(x, element.nodes[static_cast<std::size_t>(i)]);
     return X;
   }
-  static void scatter(const Element& element, const Vector& force, double* f) {
+  void scatter(const Element& element, const Vector& force, double* f) const {
     for (int i = 0; i < N; ++i) {
-      Eigen::Map<Eigen::Matrix<double, D, 1>>(f + D * element.nodes[static_cast<std::size_t>(i)]) +=
-          force.template segment<D>(D * i);
+      layout_.add<D>(f, element.nodes[static_cast<std::size_t>(i)], force.template segment<D>(D * i));
     }
   }
 

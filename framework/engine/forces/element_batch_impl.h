@@ -60,7 +60,7 @@ void ElementBatch<D, Element>::addDerivatives(const Configuration& at, double, d
 }
 
 template <int D, class Element>
-bool ElementBatch<D, Element>::evaluateConstraint(int j, const Configuration& at, int freeSize, Constraint& out) const {
+bool ElementBatch<D, Element>::evaluateConstraint(int j, const Configuration& at, Constraint& out) const {
   const Element& element = elements_[static_cast<std::size_t>(j)];
   Vector gradient;
   double k = 0.0;
@@ -70,10 +70,8 @@ bool ElementBatch<D, Element>::evaluateConstraint(int j, const Configuration& at
   out.damping = 0.0;
   out.count = 0;
   for (int i = 0; i < N; ++i) {
-    const int first = D * element.nodes[static_cast<std::size_t>(i)];
-    if (first >= freeSize) continue;
     for (int c = 0; c < D; ++c) {
-      out.unknown[static_cast<std::size_t>(out.count)] = first + c;
+      out.lane[static_cast<std::size_t>(out.count)] = layout_.lane(element.nodes[static_cast<std::size_t>(i)], c);
       out.gradient[static_cast<std::size_t>(out.count)] = gradient[D * i + c];
       ++out.count;
     }

@@ -12,7 +12,7 @@ void ExternalForce<D>::addForce(const Configuration& at, double* f) const {
   for (const Item& item : items_) {
     const int segment = item.times.empty() ? 0 : segmentOf(*own++, item.times, at.t);
     const Vector F = item.force(at.t, segment);
-    for (const int node : item.nodes) Eigen::Map<Vector>(f + D * node) += F;
+    for (const int node : item.nodes) layout_.add<D>(f, node, F);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include "engine/capabilities.h"
+#include "engine/forces/layout.h"
 #include "engine/forces/matrix_pattern.h"
 
 #include <limits>
@@ -8,8 +9,8 @@
 
 namespace muelle::engine {
 
-/// Where all nodes are, free ones first, in the numbering of a built model; node i of dimension D has the D
-/// entries from D i on. z are the internal variables of the whole model.
+/// Where all nodes are, in the numbering and the layout of a built model. z are the internal variables of the whole
+/// model.
 struct Configuration {
   double t = 0.0;             ///< [s]
   const double* x = nullptr;  ///< [m]
@@ -17,8 +18,8 @@ struct Configuration {
   const double* z = nullptr;
 };
 
-/// All the forces of one kind. Functions named add... add to arrays over all nodes; what falls on nodes that are not
-/// free is ignored by the system. A kind that has no part in something leaves the default, which does nothing.
+/// All the forces of one kind. Functions named add... add to arrays of lanes; what falls on nodes that are not free is
+/// ignored by the system. A kind that has no part in something leaves the default, which does nothing.
 class ForceBatch {
  public:
   virtual ~ForceBatch() = default;
@@ -59,14 +60,15 @@ class ForceBatch {
   virtual int constraintCount() const { return 0; }
   /// Whether these constraints are distances between nodes.
   virtual bool constraintsAreDistances() const { return false; }
-  /// Evaluates constraint j; unknowns from `freeSize` on are no unknowns and are dropped. False when it does not act.
-  virtual bool evaluateConstraint(int /*j*/, const Configuration&, int /*freeSize*/, Constraint&) const {
-    return false;
-  }
+  /// Evaluates constraint j; nodes that are held are in it too. False when it does not act.
+  virtual bool evaluateConstraint(int /*j*/, const Configuration&, Constraint&) const { return false; }
   /// The part of the force that the constraints do not cover.
   virtual void addExternalForce(const Configuration& at, double* f) const { addForce(at, f); }
   /// What neither constraints nor external force cover; empty when nothing.
   virtual std::string leftOut() const { return {}; }
+
+  /// Where nodes stand in the arrays. Before anything else.
+  void setLayout(const Layout& layout) { layout_ = layout; }
 
   /// Number of internal variables; they start at zOffset.
   virtual int internalSize() const { return 0; }
@@ -94,10 +96,11 @@ class ForceBatch {
   virtual double anchorEnergy(const Configuration&) const { return 0.0; }
   /// Whether a node could pass through an obstacle of this batch.
   virtual bool isThin() const { return false; }
-  /// The part of h in which nothing passes through an obstacle; `a` are accelerations of the free nodes' unknowns.
+  /// The part of h in which nothing passes through an obstacle; `a` are accelerations.
   virtual double sweptBound(const Configuration&, const double* /*a*/, double h) const { return h; }
 
  protected:
+  Layout layout_;
   int zOffset_ = 0;
 };
 

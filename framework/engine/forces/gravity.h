@@ -3,10 +3,10 @@
 
 namespace muelle::engine {
 
-/// Weight m g on every free unknown (slide "Todo junto"): E = -m g . x, whose Hessian is zero.
+/// Weight m g on every unknown (slide "Todo junto"): E = -m g . x, whose Hessian is zero.
 class Gravity final : public ForceBatch {
  public:
-  /// \param weight [N] of each free unknown, m g along its axis
+  /// \param weight [N] of each lane, m g along its axis; 0 where it is no unknown
   explicit Gravity(std::vector<double> weight) : weight_(std::move(weight)) {}
 
   bool isUniformField() const override { return true; }

@@ -3,14 +3,22 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace muelle::engine {
 
+MatrixPattern::MatrixPattern(int dimension, std::vector<int> rank)
+    : dimension_(dimension),
+      rank_(std::move(rank)),
+      freeNodes_(static_cast<int>(std::ranges::count_if(rank_, [](int r) { return r >= 0; }))) {}
+
 void MatrixPattern::couple(std::span<const int> nodes) {
-  for (const int column : nodes) {
-    if (column >= freeNodes_) continue;
-    for (const int row : nodes) {
-      if (row < freeNodes_ && row != column) pairs_.emplace_back(column, row);
+  for (const int i : nodes) {
+    const int column = rank_[static_cast<std::size_t>(i)];
+    if (column < 0) continue;
+    for (const int j : nodes) {
+      const int row = rank_[static_cast<std::size_t>(j)];
+      if (row >= 0 && row != column) pairs_.emplace_back(column, row);
     }
   }
 }
@@ -53,9 +61,11 @@ void MatrixPattern::finish() {
 }
 
 BlockSlot MatrixPattern::slot(int i, int j) const {
-  if (i >= freeNodes_ || j >= freeNodes_) return {};
-  const int start = blockStart_[static_cast<std::size_t>(j)], end = blockStart_[static_cast<std::size_t>(j) + 1];
-  const auto place = std::lower_bound(blockRow_.begin() + start, blockRow_.begin() + end, i);
+  const int row = rank_[static_cast<std::size_t>(i)], column = rank_[static_cast<std::size_t>(j)];
+  if (row < 0 || column < 0) return {};
+  const auto next = blockStart_.begin() + column;
+  const int start = *next, end = *(next + 1);
+  const auto place = std::lower_bound(blockRow_.begin() + start, blockRow_.begin() + end, row);
   const int rank = static_cast<int>(place - blockRow_.begin()) - start;
   return {dimension_ * dimension_ * start + dimension_ * rank, dimension_ * (end - start)};
 }

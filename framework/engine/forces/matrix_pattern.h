@@ -18,8 +18,8 @@ struct BlockSlot {
 /// that share an element. It is fixed when the model is first linearised, so that values can be written by position.
 class MatrixPattern {
  public:
-  /// \param dimension of the blocks   \param freeNodes nodes that are unknowns; they come first in the numbering
-  MatrixPattern(int dimension, int freeNodes) : dimension_(dimension), freeNodes_(freeNodes) {}
+  /// \param dimension of the blocks   \param rank of each node among the free ones, -1 where it is held
+  MatrixPattern(int dimension, std::vector<int> rank);
 
   /// Couples all nodes of an element with one another; nodes that are not free are left out. Before finish().
   void couple(std::span<const int> nodes);
@@ -33,8 +33,9 @@ class MatrixPattern {
 
  private:
   int dimension_;
+  std::vector<int> rank_;
   int freeNodes_;
-  std::vector<std::pair<int, int>> pairs_;  ///< (column, row)
+  std::vector<std::pair<int, int>> pairs_;  ///< (column, row), by ranks
   std::vector<int> blockStart_;             ///< first block of each block column, and the end
   std::vector<int> blockRow_;
   Eigen::SparseMatrix<double> zero_;

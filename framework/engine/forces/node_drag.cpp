@@ -7,16 +7,15 @@ void NodeDrag::addForce(const Configuration& at, double* f) const {
 }
 
 void NodeDrag::bind(const MatrixPattern& pattern) {
-  diagonal_.resize(coefficients_.size());
-  for (int i = 0; i < static_cast<int>(coefficients_.size()); ++i) {
-    const BlockSlot slot = pattern.slot(i / dimension_, i / dimension_);
-    const int axis = i % dimension_;
-    diagonal_[static_cast<std::size_t>(i)] = slot.base + axis * slot.stride + axis;
+  diagonal_.clear();
+  for (const int node : nodes_) {
+    const BlockSlot slot = pattern.slot(node, node);
+    for (int c = 0; c < dimension_; ++c) diagonal_.emplace_back(slot.base + c * slot.stride + c, layout_.lane(node, c));
   }
 }
 
 void NodeDrag::addDerivatives(const Configuration&, double cD, double, Form, double* values) const {
-  for (std::size_t i = 0; i < coefficients_.size(); ++i) values[diagonal_[i]] += cD * coefficients_[i];
+  for (const auto& [place, lane] : diagonal_) values[place] += cD * coefficients_[static_cast<std::size_t>(lane)];
 }
 
 }  // namespace muelle::engine

@@ -6,9 +6,10 @@ namespace muelle::engine {
 /// Damping at the nodes, F = -d v (slide "Amortiguamiento", first of three): slows all motion, falls included.
 class NodeDrag final : public ForceBatch {
  public:
-  /// \param coefficients d [kg/s] of each free unknown   \param dimension unknowns a node
-  NodeDrag(std::vector<double> coefficients, int dimension)
-      : coefficients_(std::move(coefficients)), dimension_(dimension) {}
+  /// \param coefficients d [kg/s] of each lane, 0 where it is no unknown
+  /// \param nodes built numbers of the free ones   \param dimension unknowns a node
+  NodeDrag(std::vector<double> coefficients, std::vector<int> nodes, int dimension)
+      : coefficients_(std::move(coefficients)), nodes_(std::move(nodes)), dimension_(dimension) {}
 
   std::span<const double> coefficients() const { return coefficients_; }
 
@@ -23,8 +24,9 @@ class NodeDrag final : public ForceBatch {
 
  private:
   std::vector<double> coefficients_;
+  std::vector<int> nodes_;
   int dimension_;
-  std::vector<int> diagonal_;
+  std::vector<std::pair<int, int>> diagonal_;  ///< place among the matrix's values, lane
 };
 
 }  // namespace muelle::engine

@@ -9,13 +9,13 @@ namespace muelle::engine {
 class Property final : public ForceBatch {
  public:
   struct Entry {
-    int coordinate = 0;  ///< of all nodes' coordinates in the built numbering
+    int lane = 0;      ///< of the coordinate
+    int unknown = -1;  ///< its number among the unknowns; -1 where the node is held
     double weight = 0.0;
   };
 
-  /// \param entries ascending, each coordinate once   \param freeSize coordinates below are unknowns
-  /// \param userIndex for messages
-  Property(std::vector<Entry> entries, double k, double p0, int freeSize, int userIndex);
+  /// \param entries ascending, each lane once   \param userIndex for messages
+  Property(std::vector<Entry> entries, double k, double p0, int userIndex);
 
   void addForce(const Configuration& at, double* f) const override;
   double energy(const Configuration& at) const override;
@@ -24,18 +24,17 @@ class Property final : public ForceBatch {
   void writeLowRank(double cK, Eigen::Ref<Eigen::MatrixXd> U, Eigen::Ref<Eigen::VectorXd> s) const override;
   /// One constraint when it has no more unknowns than a Constraint has room for, else left out.
   int constraintCount() const override { return fits() ? 1 : 0; }
-  bool evaluateConstraint(int j, const Configuration& at, int freeSize, Constraint& out) const override;
+  bool evaluateConstraint(int j, const Configuration& at, Constraint& out) const override;
   void addExternalForce(const Configuration&, double*) const override {}
   std::string leftOut() const override;
 
  private:
   double value(const double* x) const;
   void addWeights(double factor, double* f) const;
-  bool fits() const { return freeEntries_ <= static_cast<int>(Constraint{}.unknown.size()); }
+  bool fits() const { return entries_.size() <= Constraint{}.lane.size(); }
 
   std::vector<Entry> entries_;
   double k_, p0_;
-  int freeEntries_ = 0;
   int userIndex_;
 };
 

@@ -28,8 +28,8 @@ Spring<D>::Spring(std::vector<SpringElement> springs, SpringKind kind) : springs
 }
 
 template <int D>
-auto Spring<D>::difference(const SpringElement& s, const double* values) -> Vector {
-  return Eigen::Map<const Vector>(values + D * s.a) - Eigen::Map<const Vector>(values + D * s.b);
+auto Spring<D>::difference(const SpringElement& s, const double* values) const -> Vector {
+  return layout_.at<D>(values, s.a) - layout_.at<D>(values, s.b);
 }
 
 template <int D>
@@ -104,8 +104,8 @@ void Spring<D>::addForce(const Configuration& at, double* f) const {
     const Vector d = difference(s, at.x);
     if (kind_ == SpringKind::Unilateral && !acts(i, length<D>(d), at.z)) continue;
     const Vector F = elasticForce(i, d, at.z) + dampingForce(s, d, difference(s, at.v));
-    Eigen::Map<Vector>(f + D * s.a) += F;
-    Eigen::Map<Vector>(f + D * s.b) -= F;
+    layout_.add<D>(f, s.a, F);
+    layout_.add<D>(f, s.b, -F);
   }
 }
 
@@ -114,8 +114,8 @@ void Spring<D>::addConservativeForce(const Configuration& at, double* f) const {
   for (std::size_t i = 0; i < springs_.size(); ++i) {
     const SpringElement& s = springs_[i];
     const Vector F = elasticForce(i, difference(s, at.x), at.z);
-    Eigen::Map<Vector>(f + D * s.a) += F;
-    Eigen::Map<Vector>(f + D * s.b) -= F;
+    layout_.add<D>(f, s.a, F);
+    layout_.add<D>(f, s.b, -F);
   }
 }
 
@@ -154,8 +154,8 @@ void Spring<D>::addDiscreteGradientForce(const Configuration& a, const Configura
       const double L = length<D>(da) + length<D>(db);
       if (L > 0.0) F = -s.k * ((L - 2.0 * s.L0) / L) * (0.5 * (da + db));
     }
-    Eigen::Map<Vector>(f + D * s.a) += F;
-    Eigen::Map<Vector>(f + D * s.b) -= F;
+    layout_.add<D>(f, s.a, F);
+    layout_.add<D>(f, s.b, -F);
   }
 }
 
@@ -211,7 +211,7 @@ void Spring<D>::addDerivatives(const Configuration& at, double cD, double cK, Fo
 }
 
 template <int D>
-bool Spring<D>::evaluateConstraint(int j, const Configuration& at, int freeSize, Constraint& out) const {
+bool Spring<D>::evaluateConstraint(int j, const Configuration& at, Constraint& out) const {
   const auto i = static_cast<std::size_t>(j);
   const SpringElement& s = springs_[i];
   const Vector d = difference(s, at.x);
@@ -224,9 +224,8 @@ bool Spring<D>::evaluateConstraint(int j, const Configuration& at, int freeSize,
   out.compliance = 1.0 / s.k;
   out.damping = s.dProjected;
   for (const auto& [node, side] : {std::pair(s.a, 1.0), std::pair(s.b, -1.0)}) {
-    if (D * node >= freeSize) continue;
     for (int c = 0; c < D; ++c) {
-      out.unknown[static_cast<std::size_t>(out.count)] = D * node + c;
+      out.lane[static_cast<std::size_t>(out.count)] = layout_.lane(node, c);
       out.gradient[static_cast<std::size_t>(out.count)] = side * n[c];
       ++out.count;
     }
@@ -245,8 +244,8 @@ void Spring<D>::addExternalForce(const Configuration& at, double* f) const {
     const Vector w = difference(s, at.v);
     // The projected part belongs to the constraint wherever there is one.
     const Vector F = constrained ? Vector(-s.dRelative * w) : dampingForce(s, d, w);
-    Eigen::Map<Vector>(f + D * s.a) += F;
-    Eigen::Map<Vector>(f + D * s.b) -= F;
+    layout_.add<D>(f, s.a, F);
+    layout_.add<D>(f, s.b, -F);
   }
 }
 

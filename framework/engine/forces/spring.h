@@ -62,7 +62,7 @@ class Spring final : public ForceBatch {
 
   int constraintCount() const override { return static_cast<int>(springs_.size()); }
   bool constraintsAreDistances() const override { return true; }
-  bool evaluateConstraint(int j, const Configuration& at, int freeSize, Constraint& out) const override;
+  bool evaluateConstraint(int j, const Configuration& at, Constraint& out) const override;
   /// Relative damping acts across the spring too, which no constraint expresses.
   void addExternalForce(const Configuration& at, double* f) const override;
 
@@ -79,7 +79,7 @@ class Spring final : public ForceBatch {
   using Vector = Eigen::Matrix<double, D, 1>;
   using Block = Eigen::Matrix<double, D, D>;
 
-  static Vector difference(const SpringElement& s, const double* values);
+  Vector difference(const SpringElement& s, const double* values) const;
   std::size_t valuesEach() const;  // internal variables of a spring that has any
   const double* internal(std::size_t i, const double* z) const;
   double* internal(std::size_t i, double* z) const;

@@ -46,14 +46,21 @@ Numbering number(const Model& model) {
   std::vector<int> order(model.nodes.size());
   std::iota(order.begin(), order.end(), 0);
   if (model.renumber) order = reverseCuthillMcKee(count, couplings(model));
-  std::stable_partition(order.begin(), order.end(),
-                        [&](int i) { return isFree(model.nodes[static_cast<std::size_t>(i)]); });
+  const auto free = [&](int i) { return isFree(model.nodes[static_cast<std::size_t>(i)]); };
+  std::ranges::stable_partition(order, free);
   Numbering numbering;
   numbering.axes = axesOf(model);
-  numbering.user = order;
+  numbering.layout = Layout::padded(static_cast<int>(numbering.axes.size()), count);
   numbering.built.resize(order.size());
-  for (int i = 0; i < count; ++i) numbering.built[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])] = i;
-  numbering.freeNodes = static_cast<int>(std::count_if(model.nodes.begin(), model.nodes.end(), isFree));
+  numbering.rank.assign(order.size(), -1);
+  for (int i = 0; i < count; ++i) {
+    const int user = order[static_cast<std::size_t>(i)];
+    numbering.built[static_cast<std::size_t>(user)] = i;
+    if (!free(user)) continue;
+    numbering.rank[static_cast<std::size_t>(i)] = static_cast<int>(numbering.freeNodes.size());
+    numbering.freeNodes.push_back(i);
+  }
+  numbering.user = std::move(order);
   return numbering;
 }
 
@@ -67,19 +74,31 @@ struct Builder {
   const ModelNode& node(int built) const {
     return model.nodes[static_cast<std::size_t>(numbering.user[static_cast<std::size_t>(built)])];
   }
+  bool isFreeNode(int user) const { return isFree(model.nodes[static_cast<std::size_t>(user)]); }
   /// Elements none of whose nodes is free move nothing and are left out.
   bool anyFree(std::initializer_list<int> user) const {
-    return std::any_of(user.begin(), user.end(), [&](int i) { return built(i) < numbering.freeNodes; });
+    return std::ranges::any_of(user, [this](int i) { return isFreeNode(i); });
+  }
+  int dimension() const { return static_cast<int>(numbering.axes.size()); }
+  /// An array of lanes with value(node, axis) at those of free nodes, 0 at the others.
+  template <class Value>
+  std::vector<double> lanes(const Value& value) const {
+    std::vector<double> all(static_cast<std::size_t>(numbering.layout.storage), 0.0);
+    for (const int i : numbering.freeNodes) {
+      for (int c = 0; c < dimension(); ++c) {
+        all[static_cast<std::size_t>(numbering.layout.lane(i, c))] =
+            value(node(i), numbering.axes[static_cast<std::size_t>(c)]);
+      }
+    }
+    return all;
   }
 };
 
 void addGravity(Builder& builder) {
   if (builder.model.gravity.isZero(0.0)) return;
-  std::vector<double> weight;
-  for (int i = 0; i < builder.numbering.freeNodes; ++i) {
-    for (const int axis : builder.numbering.axes) weight.push_back(builder.node(i).m * builder.model.gravity[axis]);
-  }
-  builder.batches.push_back(std::make_unique<Gravity>(std::move(weight)));
+  const Vec3& g = builder.model.gravity;
+  builder.batches.push_back(std::make_unique<Gravity>(
+      builder.lanes([&](const ModelNode& node, int axis) { return node.m * g[axis]; })));
 }
 
 /// The sign of xa - xb at the start.
@@ -165,27 +184,28 @@ void addSpaceElements(Builder& builder) {
 
 void addProperties(Builder& builder) {
   const std::vector<int>& axes = builder.numbering.axes;
-  const int dimension = static_cast<int>(axes.size());
+  const int dimension = builder.dimension();
   for (std::size_t p = 0; p < builder.model.properties.size(); ++p) {
     const ModelProperty& property = builder.model.properties[p];
     std::vector<Property::Entry> entries, merged;
     for (std::size_t i = 0; i < property.nodes.size(); ++i) {
+      const int node = builder.built(property.nodes[i]), rank = builder.numbering.rank[static_cast<std::size_t>(node)];
       for (int c = 0; c < dimension; ++c) {
         const double weight = property.weights[i][axes[static_cast<std::size_t>(c)]];
-        if (weight != 0.0) entries.push_back({dimension * builder.built(property.nodes[i]) + c, weight});
+        const int unknown = rank < 0 ? -1 : dimension * rank + c;
+        if (weight != 0.0) entries.push_back({builder.numbering.layout.lane(node, c), unknown, weight});
       }
     }
-    std::stable_sort(entries.begin(), entries.end(),
-                     [](const auto& a, const auto& b) { return a.coordinate < b.coordinate; });
+    std::ranges::stable_sort(entries, {}, &Property::Entry::lane);
     for (const Property::Entry& entry : entries) {
-      if (!merged.empty() && merged.back().coordinate == entry.coordinate) {
+      if (!merged.empty() && merged.back().lane == entry.lane) {
         merged.back().weight += entry.weight;
       } else {
         merged.push_back(entry);
       }
     }
-    builder.batches.push_back(std::make_unique<Property>(std::move(merged), property.k, property.p0,
-                                                         dimension * builder.numbering.freeNodes, static_cast<int>(p)));
+    builder.batches.push_back(
+        std::make_unique<Property>(std::move(merged), property.k, property.p0, static_cast<int>(p)));
   }
 }
 
@@ -195,7 +215,7 @@ void addExternalForces(Builder& builder) {
   for (const ModelExternalForce& external : builder.model.externalForces) {
     std::vector<int> nodes;
     for (const int user : external.nodes) {
-      if (builder.built(user) < builder.numbering.freeNodes) nodes.push_back(builder.built(user));
+      if (builder.isFreeNode(user)) nodes.push_back(builder.built(user));
     }
     const auto force = [full = external.force, axes = builder.numbering.axes](double t, int segment) {
       return inScene<D>(full(t, segment), axes);
@@ -208,10 +228,12 @@ void addExternalForces(Builder& builder) {
 template <int D>
 void addObstacles(Builder& builder) {
   const std::vector<int>& axes = builder.numbering.axes;
-  const std::vector<int> users(builder.numbering.user.begin(),
-                               builder.numbering.user.begin() + builder.numbering.freeNodes);
-  std::vector<double> masses;
-  for (int i = 0; i < builder.numbering.freeNodes; ++i) masses.push_back(builder.node(i).m);
+  ContactNodes nodes;
+  nodes.built = builder.numbering.freeNodes;
+  for (const int i : nodes.built) {
+    nodes.user.push_back(builder.numbering.user[static_cast<std::size_t>(i)]);
+    nodes.mass.push_back(builder.node(i).m);
+  }
   for (const Obstacle& obstacle : builder.model.obstacles) {
     const ContactMaterial& material = obstacle.material;
     const double kTangential = material.kTangential > 0.0 ? material.kTangential : material.k;
@@ -223,7 +245,7 @@ void addObstacles(Builder& builder) {
                          material.d,
                          {material.mu, kTangential, material.dTangential}};
     const auto add = [&]<class Shape>(Shape shape) {
-      builder.batches.push_back(std::make_unique<Contact<D, Shape>>(std::move(data), std::move(shape), users, masses));
+      builder.batches.push_back(std::make_unique<Contact<D, Shape>>(std::move(data), std::move(shape), nodes));
     };
     switch (obstacle.kind) {
       case Obstacle::Kind::Plane:
@@ -240,12 +262,11 @@ void addObstacles(Builder& builder) {
 }
 
 std::unique_ptr<NodeDrag> makeDrag(const Builder& builder) {
-  std::vector<double> coefficients;
-  for (int i = 0; i < builder.numbering.freeNodes; ++i) {
-    coefficients.insert(coefficients.end(), builder.numbering.axes.size(), builder.node(i).drag);
-  }
-  if (std::all_of(coefficients.begin(), coefficients.end(), [](double d) { return d == 0.0; })) return nullptr;
-  return std::make_unique<NodeDrag>(std::move(coefficients), static_cast<int>(builder.numbering.axes.size()));
+  std::vector<double> coefficients = builder.lanes([](const ModelNode& node, int) { return node.drag; });
+  if (std::ranges::all_of(coefficients, [](double d) { return d == 0.0; })) return nullptr;
+  auto drag = std::make_unique<NodeDrag>(std::move(coefficients), builder.numbering.freeNodes, builder.dimension());
+  drag->setLayout(builder.numbering.layout);
+  return drag;
 }
 
 template <int D>
@@ -261,6 +282,7 @@ std::unique_ptr<ModelSystem> buildIn(const Model& model) {
   addObstacles<D>(builder);
   std::unique_ptr<NodeDrag> drag = makeDrag(builder);
   auto batches = std::move(builder.batches);
+  for (const auto& batch : batches) batch->setLayout(numbering.layout);
   return std::make_unique<MassSpringSystem>(model, std::move(numbering), std::move(batches), std::move(drag));
 }
 

@@ -3,7 +3,7 @@
 namespace muelle::engine {
 
 void MassSpringSystem::bind() const {
-  pattern_.emplace(dimension_, numbering_.freeNodes);
+  pattern_.emplace(dimension_, numbering_.rank);
   for (const auto& batch : batches_) batch->couple(*pattern_);
   pattern_->finish();
   for (const auto& batch : batches_) batch->bind(*pattern_);
@@ -14,7 +14,7 @@ void MassSpringSystem::assemble(double cM, double cD, double cK, double t, In x,
                                 SystemMatrix& J) const {
   if (!pattern_) bind();
   pattern_->clear(J.sparse);
-  const Configuration at = gather(t, x, v, z, first_);
+  const Configuration at = configuration(t, x, v, z);
   double* values = J.sparse.valuePtr();
   J.symmetric = true;
   for (const auto& batch : batches_) {
@@ -23,10 +23,10 @@ void MassSpringSystem::assemble(double cM, double cD, double cK, double t, In x,
   }
   if (drag_) drag_->addDerivatives(at, cD, cK, form, values);
   if (cM != 0.0) {
-    for (int node = 0; node < numbering_.freeNodes; ++node) {
+    for (const int node : numbering_.freeNodes) {
       const BlockSlot slot = pattern_->slot(node, node);
       for (int axis = 0; axis < dimension_; ++axis) {
-        values[slot.base + axis * slot.stride + axis] += cM * mass_[place(node, axis)];
+        values[slot.base + axis * slot.stride + axis] += cM * mass_[laneOf(node, axis)];
       }
     }
   }

@@ -6,95 +6,85 @@
 
 namespace muelle::engine {
 
-void MassSpringSystem::setFixed(double t, In z, Arrays& arrays) const {
-  for (const int i : moved_) {
-    const ModelNode& node = model_.nodes[static_cast<std::size_t>(numbering_.user[static_cast<std::size_t>(i)])];
-    const auto index = static_cast<std::size_t>(node.motion);
+void MassSpringSystem::place(double t, In z, Out x, Out v) const {
+  for (const int node : moved_) {
+    const auto index = static_cast<std::size_t>(nodeOf(node).motion);
     const Motion& motion = model_.motions[index];
     const int segment = motionSegments_.at(index, t, z);
-    const Vec3 x = motion.position(t, segment), v = motion.velocity(t, segment);
+    const Vec3 position = motion.position(t, segment), velocity = motion.velocity(t, segment);
     for (int c = 0; c < dimension_; ++c) {
       const int axis = numbering_.axes[static_cast<std::size_t>(c)];
-      arrays.x[place(i, c)] = x[axis];
-      arrays.v[place(i, c)] = v[axis];
+      x[laneOf(node, c)] = position[axis];
+      v[laneOf(node, c)] = velocity[axis];
     }
   }
 }
 
-Configuration MassSpringSystem::gather(double t, In x, In v, In z, Arrays& arrays) const {
-  if (!hasFixed_) return {t, x.data(), v.data(), z.data()};
-  std::copy(x.begin(), x.end(), arrays.x.begin());
-  std::copy(v.begin(), v.end(), arrays.v.begin());
-  setFixed(t, z, arrays);
-  return {t, arrays.x.data(), arrays.v.data(), z.data()};
-}
-
 void MassSpringSystem::everyNode(const State& state, std::vector<double>& x, std::vector<double>& v) const {
-  x = state.x;
-  v = state.v;
-  if (!hasFixed_) return;
-  gather(state.t, state.x, state.v, state.z, first_);
-  x = first_.x;
-  v = first_.v;
+  x.clear();
+  v.clear();
+  for (int node = 0; node < nodeCount(); ++node) {
+    for (int c = 0; c < dimension_; ++c) {
+      x.push_back(state.x[laneOf(node, c)]);
+      v.push_back(state.v[laneOf(node, c)]);
+    }
+  }
 }
 
 State MassSpringSystem::initialState() const {
   State state;
-  state.x.resize(static_cast<std::size_t>(size_));
-  state.v.resize(static_cast<std::size_t>(size_));
-  for (int i = 0; i < size_; ++i) {
-    const ModelNode& node =
-        model_.nodes[static_cast<std::size_t>(numbering_.user[static_cast<std::size_t>(i / dimension_)])];
-    const int axis = numbering_.axes[static_cast<std::size_t>(i % dimension_)];
-    state.x[static_cast<std::size_t>(i)] = node.x[axis];
-    state.v[static_cast<std::size_t>(i)] = node.v[axis];
+  state.x.assign(mass_.size(), 0.0);
+  state.v.assign(mass_.size(), 0.0);
+  for (int node = 0; node < nodeCount(); ++node) {
+    for (int c = 0; c < dimension_; ++c) {
+      const int axis = numbering_.axes[static_cast<std::size_t>(c)];
+      state.x[laneOf(node, c)] = nodeOf(node).x[axis];
+      if (isFree(nodeOf(node))) state.v[laneOf(node, c)] = nodeOf(node).v[axis];
+    }
   }
+  place(state.t, state.z, state.x, state.v);
   commit(state, false);
   return state;
 }
 
-Vec3 MassSpringSystem::component(const State& state, int node, bool velocity) const {
+Vec3 MassSpringSystem::vectorOf(const std::vector<double>& values, int node) const {
   const int built = numbering_.built.at(static_cast<std::size_t>(node));
   Vec3 result = Vec3::Zero();
-  if (built >= numbering_.freeNodes) {
-    const ModelNode& fixed = model_.nodes[static_cast<std::size_t>(node)];
-    Vec3 full = velocity ? Vec3(Vec3::Zero()) : fixed.x;
-    if (fixed.motion >= 0) {
-      const auto index = static_cast<std::size_t>(fixed.motion);
-      const Motion& motion = model_.motions[index];
-      const int segment = motionSegments_.at(index, state.t, state.z);
-      full = velocity ? motion.velocity(state.t, segment) : motion.position(state.t, segment);
-    }
-    for (const int axis : numbering_.axes) result[axis] = full[axis];
-    return result;
-  }
-  const std::vector<double>& values = velocity ? state.v : state.x;
   for (int c = 0; c < dimension_; ++c) {
-    result[numbering_.axes[static_cast<std::size_t>(c)]] = values[place(built, c)];
+    result[numbering_.axes[static_cast<std::size_t>(c)]] = values[laneOf(built, c)];
   }
   return result;
 }
 
-Vec3 MassSpringSystem::position(const State& state, int node) const { return component(state, node, false); }
+Vec3 MassSpringSystem::position(const State& state, int node) const { return vectorOf(state.x, node); }
 
-Vec3 MassSpringSystem::velocity(const State& state, int node) const { return component(state, node, true); }
+Vec3 MassSpringSystem::velocity(const State& state, int node) const { return vectorOf(state.v, node); }
 
-int MassSpringSystem::unknown(int node, int axis) const {
+/// The component of an axis of the user's; throws std::out_of_range where the scene has none such.
+int MassSpringSystem::componentOf(int axis) const {
+  const auto found = std::find(numbering_.axes.begin(), numbering_.axes.end(), axis);
+  if (found != numbering_.axes.end()) return static_cast<int>(found - numbering_.axes.begin());
+  throw std::out_of_range(fmt::format("axis {} is none of this {}D scene", axis, dimension_));
+}
+
+int MassSpringSystem::lane(int node, int axis) const {
   if (node < 0 || node >= nodeCount()) {
     throw std::out_of_range(fmt::format("there is no node {}; nodes are 0 to {}", node, nodeCount() - 1));
   }
-  const auto found = std::find(numbering_.axes.begin(), numbering_.axes.end(), axis);
-  if (found == numbering_.axes.end()) {
-    throw std::out_of_range(fmt::format("axis {} is none of this {}D scene", axis, dimension_));
-  }
+  return numbering_.layout.lane(numbering_.built[static_cast<std::size_t>(node)], componentOf(axis));
+}
+
+int MassSpringSystem::unknown(int node, int axis) const {
+  const int place = lane(node, axis);
+  if (!(mass_[static_cast<std::size_t>(place)] > 0.0)) return -1;
   const int built = numbering_.built[static_cast<std::size_t>(node)];
-  if (built >= numbering_.freeNodes) return -1;
-  return dimension_ * built + static_cast<int>(found - numbering_.axes.begin());
+  return dimension_ * numbering_.rank[static_cast<std::size_t>(built)] + componentOf(axis);
 }
 
 std::string MassSpringSystem::unknownName(int i) const {
   const int axis = numbering_.axes[static_cast<std::size_t>(i % dimension_)];
-  return fmt::format("node {}, {}", numbering_.user[static_cast<std::size_t>(i / dimension_)], "xyz"[axis]);
+  const int built = numbering_.freeNodes[static_cast<std::size_t>(i / dimension_)];
+  return fmt::format("node {}, {}", numbering_.user[static_cast<std::size_t>(built)], "xyz"[axis]);
 }
 
 }  // namespace muelle::engine

@@ -15,14 +15,14 @@ double MassSpringSystem::kineticEnergy(const State& state) const {
 double MassSpringSystem::totalEnergy(const State& state) const {
   const StateModes modes(state, internalSize_);
   double sum = kineticEnergy(state) + energy(state.t, state.x, modes.z);
-  const Configuration at = gather(state.t, state.x, zeroVelocity_, modes.z, first_);
+  const Configuration at = configuration(state.t, state.x, zeroVelocity_, modes.z);
   for (const auto& batch : batches_) sum += state.z.empty() ? 0.0 : batch->anchorEnergy(at);
   return sum;
 }
 
 double MassSpringSystem::elasticEnergy(const State& state) const {
   const StateModes modes(state, internalSize_);
-  const Configuration at = gather(state.t, state.x, zeroVelocity_, modes.z, first_);
+  const Configuration at = configuration(state.t, state.x, zeroVelocity_, modes.z);
   double sum = 0.0;
   for (const auto& batch : batches_) sum += batch->isUniformField() ? 0.0 : batch->energy(at);
   return sum;

@@ -9,7 +9,7 @@
 namespace muelle::engine {
 
 void MassSpringSystem::guards(double t, In x, In v, In z, Out g) const {
-  const Configuration at = gather(t, x, v, z, first_);
+  const Configuration at = configuration(t, x, v, z);
   std::size_t next = 0;
   for (const auto& batch : batches_) {
     batch->guards(at, g.data() + next);
@@ -49,7 +49,8 @@ bool MassSpringSystem::commit(State& state, bool frozen) const {
     changed = true;
   }
   changed = motionSegments_.commit(state.t, frozen, state.z.data()) || changed;
-  const Configuration at = gather(state.t, state.x, state.v, state.z, first_);
+  place(state.t, state.z, state.x, state.v);
+  const Configuration at = configuration(state.t, state.x, state.v, state.z);
   bool balance = false;
   for (const auto& batch : batches_) {
     changed = batch->commit(at, frozen, state.z.data()) || changed;
@@ -62,8 +63,8 @@ bool MassSpringSystem::commit(State& state, bool frozen) const {
 /// Second part of a commit: gives friction at rest what the other forces ask of it.
 bool MassSpringSystem::balanceFriction(const Configuration& at, State& state) const {
   bool changed = false;
-  double* sum = second_.f.data();
-  std::fill(second_.f.begin(), second_.f.end(), 0.0);
+  double* sum = scratch_.data();
+  std::fill(scratch_.begin(), scratch_.end(), 0.0);
   for (const auto& batch : batches_) batch->addForceWithoutFriction(at, sum);
   if (drag_) drag_->addForce(at, sum);
   for (const auto& batch : batches_) changed = batch->balance(at, sum, state.z.data()) || changed;
@@ -71,7 +72,7 @@ bool MassSpringSystem::balanceFriction(const Configuration& at, State& state) co
 }
 
 void MassSpringSystem::cross(int guard, State& state) const {
-  const Configuration at = gather(state.t, state.x, state.v, state.z, first_);
+  const Configuration at = configuration(state.t, state.x, state.v, state.z);
   for (const auto& batch : batches_) {
     if (guard < batch->guardCount()) {
       batch->cross(guard, at, state.z.data());
@@ -86,13 +87,13 @@ void MassSpringSystem::cross(int guard, State& state) const {
 void MassSpringSystem::close(State& state) const {
   state.z.resize(static_cast<std::size_t>(internalSize_), 0.0);
   const std::vector<double> before = state.z;
-  const Configuration at = gather(state.t, state.x, state.v, before, first_);
+  const Configuration at = configuration(state.t, state.x, state.v, before);
   for (const auto& batch : batches_) batch->close(at, state.z.data());
 }
 
 double MassSpringSystem::shortestBounce(const State& state) const {
   const StateModes modes(state, internalSize_);
-  const Configuration at = gather(state.t, state.x, state.v, modes.z, first_);
+  const Configuration at = configuration(state.t, state.x, state.v, modes.z);
   double shortest = std::numeric_limits<double>::infinity();
   for (const auto& batch : batches_) shortest = std::min(shortest, batch->shortestBounce(at));
   return shortest;
@@ -100,10 +101,9 @@ double MassSpringSystem::shortestBounce(const State& state) const {
 
 double MassSpringSystem::sweptBound(double t, In x, In v, In z, double h) const {
   if (std::none_of(batches_.begin(), batches_.end(), [](const auto& batch) { return batch->isThin(); })) return h;
-  force(t, x, v, z, acceleration_);
-  for (std::size_t i = 0; i < acceleration_.size(); ++i) acceleration_[i] /= mass_[i];
-  const Configuration at = gather(t, x, v, z, first_);
-  for (const auto& batch : batches_) h = batch->sweptBound(at, acceleration_.data(), h);
+  acceleration(t, x, v, z, scratch_);
+  const Configuration at = configuration(t, x, v, z);
+  for (const auto& batch : batches_) h = batch->sweptBound(at, scratch_.data(), h);
   return h;
 }
 

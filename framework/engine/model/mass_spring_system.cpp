@@ -12,39 +12,32 @@ MassSpringSystem::MassSpringSystem(Model model, Numbering numbering, std::vector
     : model_(std::move(model)),
       numbering_(std::move(numbering)),
       dimension_(static_cast<int>(numbering_.axes.size())),
-      size_(dimension_ * numbering_.freeNodes),
+      size_(dimension_ * static_cast<int>(numbering_.freeNodes.size())),
       motionSegments_(model_.motions),
-      hasFixed_(numbering_.freeNodes < static_cast<int>(model_.nodes.size())),
       batches_(std::move(batches)),
       drag_(std::move(drag)) {
-  mass_.reserve(static_cast<std::size_t>(size_));
-  for (int i = 0; i < numbering_.freeNodes; ++i) {
-    const double m = model_.nodes[static_cast<std::size_t>(numbering_.user[static_cast<std::size_t>(i)])].m;
-    mass_.insert(mass_.end(), static_cast<std::size_t>(dimension_), m);
-  }
-  placeFixedNodes();
+  layOut();
   rods_ = rodsOfModel();
   countBatches();
 }
 
-/// Arrays over all nodes, with the fixed ones where the model has them.
-void MassSpringSystem::placeFixedNodes() {
-  zeroVelocity_.assign(static_cast<std::size_t>(size_), 0.0);
-  acceleration_.assign(static_cast<std::size_t>(size_), 0.0);
-  const auto all = static_cast<std::size_t>(dimension_) * model_.nodes.size();
-  for (Arrays* arrays : {&first_, &second_}) {
-    arrays->x.assign(all, 0.0);
-    arrays->v.assign(all, 0.0);
-    arrays->f.assign(all, 0.0);
-  }
-  for (int i = numbering_.freeNodes; i < static_cast<int>(model_.nodes.size()); ++i) {
-    const ModelNode& node = model_.nodes[static_cast<std::size_t>(numbering_.user[static_cast<std::size_t>(i)])];
-    if (node.motion >= 0) moved_.push_back(i);
+/// Masses by lane, the lanes of the unknowns, and which nodes are moved.
+void MassSpringSystem::layOut() {
+  const auto storage = static_cast<std::size_t>(numbering_.layout.storage);
+  for (std::vector<double>* lanes : {&mass_, &inverseMass_, &zeroVelocity_, &scratch_}) lanes->assign(storage, 0.0);
+  bool isIdentity = true;
+  for (const int node : numbering_.freeNodes) {
     for (int c = 0; c < dimension_; ++c) {
-      const double x = node.x[numbering_.axes[static_cast<std::size_t>(c)]];
-      first_.x[place(i, c)] = x;
-      second_.x[place(i, c)] = x;
+      const std::size_t lane = laneOf(node, c);
+      mass_[lane] = nodeOf(node).m;
+      inverseMass_[lane] = 1.0 / nodeOf(node).m;
+      isIdentity = isIdentity && lane == lanes_.size();
+      lanes_.push_back(static_cast<int>(lane));
     }
+  }
+  if (isIdentity) lanes_.clear();
+  for (int node = 0; node < nodeCount(); ++node) {
+    if (nodeOf(node).motion >= 0) moved_.push_back(node);
   }
 }
 
@@ -72,46 +65,34 @@ std::vector<Rod> MassSpringSystem::rodsOfModel() const {
     rod.length = spring.L0;
     for (const auto& [node, end] : {std::pair(spring.a, &rod.a), std::pair(spring.b, &rod.b)}) {
       const int built = numbering_.built[static_cast<std::size_t>(node)];
-      if (built < numbering_.freeNodes) {
-        *end = dimension_ * built;
-        continue;
-      }
-      for (std::size_t c = 0; c < numbering_.axes.size(); ++c) {
-        rod.held[c] = model_.nodes[static_cast<std::size_t>(node)].x[numbering_.axes[c]];
-      }
+      for (int c = 0; c < dimension_; ++c) (*end)[static_cast<std::size_t>(c)] = numbering_.layout.lane(built, c);
     }
     rods.push_back(rod);
   }
   return rods;
 }
 
-/// The array that the batches add to: the caller's, or one with room for the fixed nodes.
-double* MassSpringSystem::start(Out f) const {
-  std::fill(f.begin(), f.end(), 0.0);
-  if (!hasFixed_) return f.data();
-  std::fill(first_.f.begin(), first_.f.end(), 0.0);
-  return first_.f.data();
-}
-
-void MassSpringSystem::finish(Out f) const {
-  if (hasFixed_) std::copy_n(first_.f.begin(), f.size(), f.begin());
-}
-
 void MassSpringSystem::force(double t, In x, In v, In z, Out f) const {
-  const Configuration at = gather(t, x, v, z, first_);
-  double* sum = start(f);
-  for (const auto& batch : batches_) batch->addForce(at, sum);
-  if (drag_) drag_->addForce(at, sum);
-  finish(f);
+  const Configuration at = configuration(t, x, v, z);
+  std::fill(f.begin(), f.end(), 0.0);
+  for (const auto& batch : batches_) batch->addForce(at, f.data());
+  if (drag_) drag_->addForce(at, f.data());
+}
+
+void MassSpringSystem::overMass(Out a) const {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] *= inverseMass_[i];
+}
+
+void MassSpringSystem::acceleration(double t, In x, In v, In z, Out a) const {
+  force(t, x, v, z, a);
+  overMass(a);
 }
 
 void MassSpringSystem::accelerationWithoutDrag(double t, In x, In v, In z, Out a) const {
-  const Configuration at = gather(t, x, v, z, first_);
-  double* sum = start(a);
-  for (const auto& batch : batches_) batch->addForce(at, sum);
-  finish(a);
-  const std::span<const double> w = inverseMass();
-  for (std::size_t i = 0; i < a.size(); ++i) a[i] *= w[i];
+  const Configuration at = configuration(t, x, v, z);
+  std::fill(a.begin(), a.end(), 0.0);
+  for (const auto& batch : batches_) batch->addForce(at, a.data());
+  overMass(a);
 }
 
 double MassSpringSystem::shortestPeriod(double t) const {
@@ -133,7 +114,7 @@ bool MassSpringSystem::remainderUsesVelocity() const {
 }
 
 bool MassSpringSystem::isTied() const {
-  return hasFixed_ || drag_ != nullptr || !model_.obstacles.empty() || !model_.properties.empty();
+  return static_cast<int>(numbering_.freeNodes.size()) < nodeCount() || drag_ != nullptr || !model_.obstacles.empty() || !model_.properties.empty();
 }
 
 bool MassSpringSystem::isComplete() const {
@@ -142,32 +123,29 @@ bool MassSpringSystem::isComplete() const {
 }
 
 double MassSpringSystem::energy(double t, In x, In z) const {
-  const Configuration at = gather(t, x, zeroVelocity_, z, first_);
+  const Configuration at = configuration(t, x, zeroVelocity_, z);
   double sum = 0.0;
   for (const auto& batch : batches_) sum += batch->energy(at);
   return sum;
 }
 
 void MassSpringSystem::conservativeForce(double t, In x, In z, Out f) const {
-  const Configuration at = gather(t, x, zeroVelocity_, z, first_);
-  double* sum = start(f);
-  for (const auto& batch : batches_) batch->addConservativeForce(at, sum);
-  finish(f);
+  const Configuration at = configuration(t, x, zeroVelocity_, z);
+  std::fill(f.begin(), f.end(), 0.0);
+  for (const auto& batch : batches_) batch->addConservativeForce(at, f.data());
 }
 
 void MassSpringSystem::discreteGradientForce(double t, In xa, In xb, In z, Out f) const {
-  const Configuration a = gather(t, xa, zeroVelocity_, z, first_), b = gather(t, xb, zeroVelocity_, z, second_);
-  double* sum = start(f);
-  for (const auto& batch : batches_) batch->addDiscreteGradientForce(a, b, sum);
-  finish(f);
+  const Configuration a = configuration(t, xa, zeroVelocity_, z), b = configuration(t, xb, zeroVelocity_, z);
+  std::fill(f.begin(), f.end(), 0.0);
+  for (const auto& batch : batches_) batch->addDiscreteGradientForce(a, b, f.data());
 }
 
 void MassSpringSystem::externalForce(double t, In x, In v, In z, Out f) const {
-  const Configuration at = gather(t, x, v, z, first_);
-  double* sum = start(f);
-  for (const auto& batch : batches_) batch->addExternalForce(at, sum);
-  if (drag_) drag_->addForce(at, sum);
-  finish(f);
+  const Configuration at = configuration(t, x, v, z);
+  std::fill(f.begin(), f.end(), 0.0);
+  for (const auto& batch : batches_) batch->addExternalForce(at, f.data());
+  if (drag_) drag_->addForce(at, f.data());
 }
 
 }  // namespace muelle::engine

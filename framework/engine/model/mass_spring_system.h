@@ -9,15 +9,17 @@
 
 namespace muelle::engine {
 
-/// Which node is where: the built numbering has the free nodes first, then the fixed ones (pinned and moved).
+/// Which node is where.
 struct Numbering {
-  std::vector<int> built;  ///< built number of each of the user's nodes
-  std::vector<int> user;   ///< the user's number of each built one
-  int freeNodes = 0;
-  std::vector<int> axes;  ///< the components of a Vec3 that the scene has, in order
+  std::vector<int> built;      ///< built number of each of the user's nodes
+  std::vector<int> user;       ///< the user's number of each built one
+  std::vector<int> freeNodes;  ///< built numbers of the nodes that are neither pinned nor moved, ascending
+  std::vector<int> rank;       ///< of each built node among the free ones; -1 where it is held
+  std::vector<int> axes;       ///< the components of a Vec3 that the scene has, in order
+  Layout layout;
 };
 
-/// The one system that build() makes: batches of forces over arrays of all nodes. The dimension is a number here, and
+/// The one system that build() makes: batches of forces over the lanes of all nodes, the held ones among them. The dimension is a number here, and
 /// a template parameter in the batches alone. Its capabilities stand in a source each: forces and energy in
 /// mass_spring_system.cpp, beside it ..._nodes, ..._matrix, ..._constraints, ..._switching and ..._quantities (what
 /// a state has of energy and momentum).
@@ -33,8 +35,14 @@ class MassSpringSystem final : public ModelSystem,
                    std::unique_ptr<NodeDrag> drag);
 
   int size() const override { return size_; }
+  int storage() const override { return numbering_.layout.storage; }
+  std::span<const int> lanes() const override { return lanes_; }
   std::span<const double> mass() const override { return mass_; }
+  std::span<const double> inverseMass() const override { return inverseMass_; }
+  /// On held nodes it is what their holders take, without the drag.
   void force(double t, In x, In v, In z, Out f) const override;
+  void acceleration(double t, In x, In v, In z, Out a) const override;
+  void place(double t, In z, Out x, Out v) const override;
   int internalSize() const override { return internalSize_; }
   bool forceUsesVelocity() const override;
   bool hasUnannouncedForce() const override;
@@ -55,6 +63,7 @@ class MassSpringSystem final : public ModelSystem,
   Vec3 position(const State& state, int node) const override;
   Vec3 velocity(const State& state, int node) const override;
   int unknown(int node, int axis) const override;
+  int lane(int node, int axis) const override;
   const Model& model() const override { return model_; }
   double kineticEnergy(const State& state) const override;
   double totalEnergy(const State& state) const override;
@@ -77,7 +86,6 @@ class MassSpringSystem final : public ModelSystem,
   // Constraints
   int count() const override { return static_cast<int>(constraintStart_.back()); }
   bool onlyDistances() const override;
-  void extend(double t, In x, std::vector<double>& all) const override;
   bool evaluate(int j, double t, In x, In z, Constraint& out) const override;
   void externalForce(double t, In x, In v, In z, Out f) const override;
   std::string leftOut() const override;
@@ -93,25 +101,23 @@ class MassSpringSystem final : public ModelSystem,
   double shortestBounce(const State& state) const override;
   double sweptBound(double t, In x, In v, In z, double h) const override;
 
-  /// Arrays over all nodes: the caller's own when every node is free.
-  struct Arrays {
-    std::vector<double> x, v, f;
-  };
-  /// Where a node's component stands in an array over all unknowns, by its built number.
-  std::size_t place(int node, int component) const {
-    return static_cast<std::size_t>(dimension_) * static_cast<std::size_t>(node) + static_cast<std::size_t>(component);
+  static Configuration configuration(double t, In x, In v, In z) { return {t, x.data(), v.data(), z.data()}; }
+  /// Where a node's component stands, by its built number.
+  std::size_t laneOf(int node, int component) const {
+    return static_cast<std::size_t>(numbering_.layout.lane(node, component));
   }
-  Configuration gather(double t, In x, In v, In z, Arrays& arrays) const;
-  void setFixed(double t, In z, Arrays& arrays) const;
-  void placeFixedNodes();
+  const ModelNode& nodeOf(int built) const {
+    return model_.nodes[static_cast<std::size_t>(numbering_.user[static_cast<std::size_t>(built)])];
+  }
+  void layOut();
   std::vector<Rod> rodsOfModel() const;
   void countBatches();
-  double* start(Out f) const;
-  void finish(Out f) const;
+  void overMass(Out a) const;
+  int componentOf(int axis) const;
   void bind() const;
   void assembleLowRank(double cK, LowRank& lowRank) const;
   bool balanceFriction(const Configuration& at, State& state) const;
-  Vec3 component(const State& state, int node, bool velocity) const;
+  Vec3 vectorOf(const std::vector<double>& values, int node) const;
 
   Model model_;
   Numbering numbering_;
@@ -121,16 +127,15 @@ class MassSpringSystem final : public ModelSystem,
   int guardCount_ = 0;
   bool switches_ = false;
   MotionSegments motionSegments_;
-  bool hasFixed_;
-  std::vector<double> mass_;
+  std::vector<double> mass_, inverseMass_;  ///< of each lane
+  std::vector<int> lanes_;                  ///< of each unknown; empty where they are the same numbers
   std::vector<double> zeroVelocity_;
   std::vector<int> moved_;  ///< built numbers of nodes with a motion
   std::vector<std::unique_ptr<ForceBatch>> batches_;
   std::unique_ptr<NodeDrag> drag_;
   std::vector<int> constraintStart_;
   std::vector<Rod> rods_;
-  mutable Arrays first_, second_;
-  mutable std::vector<double> acceleration_;
+  mutable std::vector<double> scratch_;
   mutable std::optional<MatrixPattern> pattern_;  ///< laid out when first asked for: explicit methods never do
 };
 

@@ -8,7 +8,7 @@ namespace muelle::engine {
 
 /// A built model: a DynamicalSystem, and the way back to the user's numbering of nodes.
 ///
-/// Inside, pinned and moved nodes are no unknowns and the free nodes are renumbered so that neighbours lie close.
+/// Inside, pinned and moved nodes are no unknowns, and nodes are renumbered so that neighbours lie close.
 class ModelSystem : public DynamicalSystem {
  public:
   /// Positions and velocities as the model states them, at t = 0, with z set for them (live modes).
@@ -18,8 +18,11 @@ class ModelSystem : public DynamicalSystem {
   /// the scene does not have are 0 (1D: the first component; 2D: those of Model::plane).
   virtual Vec3 position(const State& state, int node) const = 0;
   virtual Vec3 velocity(const State& state, int node) const = 0;
-  /// The index in x of a node's component `axis` (0, 1, 2 in 3D; the axes of the plane in 2D; 0 in 1D); -1 when the
-  /// node is pinned or moved. Throws std::out_of_range for a node or axis that does not exist.
+  /// The index in x, v and f of a node's component `axis` (0, 1, 2 in 3D; the axes of the plane in 2D; 0 in 1D). Throws
+  /// std::out_of_range for a node or axis that does not exist.
+  virtual int lane(int node, int axis) const = 0;
+  /// The number of that component among the unknowns, which numbers the rows of matrices; -1 when the node is pinned or
+  /// moved.
   virtual int unknown(int node, int axis) const = 0;
   virtual const Model& model() const = 0;
 

@@ -8,13 +8,12 @@ namespace muelle::engine {
 std::vector<double> externalForces(const ModelSystem& system, double t) {
   const Model& model = system.model();
   const std::vector<int> axes = axesOf(model);
-  std::vector<double> loads(static_cast<std::size_t>(system.size()), 0.0);
+  std::vector<double> loads(static_cast<std::size_t>(system.storage()), 0.0);
   for (const ModelExternalForce& external : model.externalForces) {
     const Vec3 F = external.force(t, segmentAt(external.times, t));
     for (const int node : external.nodes) {
       for (const int axis : axes) {
-        const int unknown = system.unknown(node, axis);
-        if (unknown >= 0) loads[static_cast<std::size_t>(unknown)] += F[axis];
+        if (system.unknown(node, axis) >= 0) loads[static_cast<std::size_t>(system.lane(node, axis))] += F[axis];
       }
     }
   }

@@ -5,7 +5,7 @@
 
 namespace muelle::engine {
 
-/// External forces of a model at time t on its unknowns [N], gravity not among them.
+/// External forces of a model at time t on its lanes [N], gravity not among them.
 std::vector<double> externalForces(const ModelSystem& system, double t);
 
 /// A system at one instant: its external forces as dead loads, which have an energy -F . x, so that an equilibrium
@@ -15,7 +15,11 @@ class AtRest final : public DynamicalSystem, private Potential {
   AtRest(const ModelSystem& system, double t);
 
   int size() const override { return system_.size(); }
+  int storage() const override { return system_.storage(); }
+  std::span<const int> lanes() const override { return system_.lanes(); }
   std::span<const double> mass() const override { return system_.mass(); }
+  std::span<const double> inverseMass() const override { return system_.inverseMass(); }
+  void place(double t, In z, Out x, Out v) const override { system_.place(t, z, x, v); }
   void force(double t, In x, In v, In z, Out f) const override { system_.force(t, x, v, z, f); }
   int internalSize() const override { return system_.internalSize(); }
   const Potential* potential() const override { return this; }

@@ -1,6 +1,7 @@
 #include "engine/statics/equilibrium.h"
 
 #include "base/text/count.h"
+#include "engine/compact_system.h"
 #include "engine/solve/linear_solver.h"
 #include "engine/solve/spans.h"
 
@@ -298,14 +299,14 @@ void check(const DynamicalSystem& system, const State& start) {
   if (!system.rods().empty()) {
     throw std::invalid_argument("an equilibrium with rods is not looked for: give the springs a stiffness k");
   }
-  if (start.x.size() != static_cast<std::size_t>(system.size())) {
+  if (start.x.size() != static_cast<std::size_t>(system.storage())) {
     throw std::invalid_argument(fmt::format("equilibrium: {} for {}", counted(std::ssize(start.x), "position"),
-                                            counted(system.size(), "unknown")));
+                                            counted(system.storage(), "lane")));
   }
   const auto bad = std::ranges::find_if(start.x, [](double x) { return !std::isfinite(x); });
   if (bad != start.x.end()) {
-    const auto unknown = static_cast<int>(bad - start.x.begin());
-    throw std::invalid_argument(fmt::format("equilibrium: position {} is not finite", system.unknownName(unknown)));
+    const auto lane = static_cast<int>(bad - start.x.begin());
+    throw std::invalid_argument(fmt::format("equilibrium: position {} is not finite", laneName(system, lane)));
   }
 }
 
@@ -319,13 +320,17 @@ StaticResult equilibrium(const DynamicalSystem& system, State start, const Stati
     if (system.switching() != nullptr) system.switching()->commit(start, false);
   }
   StaticResult result;
-  Search search(system, start, options, result);
+  CompactSystem compact(system);
+  compact.follow(start);
+  State end = compact.compact(start);
+  Search search(compact, end, options, result);
   search.run();
 
   const Vector& x = search.position();
   const Vector& F = search.force();
   result.state = std::move(start);
-  std::ranges::copy(x, result.state.x.begin());
+  std::ranges::copy(x, end.x.begin());
+  compact.expand(end, result.state);
   result.energy = system.potential()->energy(result.state.t, result.state.x, result.state.z);
   result.roundOff = search.roundOff();
   const int dimension = system.dimension();
@@ -334,7 +339,7 @@ StaticResult equilibrium(const DynamicalSystem& system, State start, const Stati
     result.residual = std::max(result.residual, result.nodeResiduals.back());
   }
   Vector all(F.size());
-  system.force(result.state.t, result.state.x, result.state.v, result.state.z, spanOf(all));
+  compact.force(end.t, end.x, end.v, end.z, spanOf(all));
   if (!result.converged && !result.nodeResiduals.empty()) {
     const auto worst = std::ranges::max_element(result.nodeResiduals) - result.nodeResiduals.begin();
     result.message += fmt::format("; largest sum of forces {:.3g} N at {}", result.residual,

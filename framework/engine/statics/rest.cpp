@@ -1,5 +1,6 @@
 #include "engine/statics/rest.h"
 
+#include "engine/compact_system.h"
 #include "engine/model/axes.h"
 #include "engine/statics/at_rest.h"
 #include "engine/statics/equilibrium.h"
@@ -159,7 +160,11 @@ bool RestSearch::standsAlready() {
   form_ = std::move(form);
   const Curvature& curvature = shapeCurvature();
   double down = 0.0;
-  for (std::size_t i = 0; i < curvature.along.size(); ++i) down += curvature.along[i] * (x[i] - start_.x[i]);
+  const CompactSystem compact(still_);
+  std::vector<double> end(curvature.along.size()), begin(end.size());
+  compact.gather(x, end);
+  compact.gather(start_.x, begin);
+  for (std::size_t i = 0; i < end.size(); ++i) down += curvature.along[i] * (end[i] - begin[i]);
   if (curvature.smallest >= -curvature.roundOff || std::abs(down) <= 0.01 * size) return true;
   form_.reset();
   result_.state = start_;

@@ -1,5 +1,6 @@
 #include "engine/statics/tension_form.h"
 
+#include "engine/solve/spans.h"
 #include "engine/statics/force_density.h"
 #include "engine/statics/tension_curvature.h"
 #include "engine/statics/tension_matrix.h"
@@ -93,8 +94,10 @@ Imbalance TensionForm::imbalance() const { return parts_->shape.imbalance(); }
 Curvature TensionForm::curvature() { return curvatureOf(parts_->shape, parts_->matrix); }
 
 std::vector<double> TensionForm::positions() const {
-  const Eigen::VectorXd& x = parts_->shape.hi;
-  return {x.begin(), x.end()};
+  const TensionShape& shape = parts_->shape;
+  std::vector<double> x = shape.start.x;
+  shape.compact.scatter(spanOf(shape.hi), x);
+  return x;
 }
 
 std::vector<double> TensionForm::tensions() const {

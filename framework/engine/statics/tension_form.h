@@ -32,7 +32,7 @@ class TensionForm {
   TensionForm(const TensionForm&) = delete;
   TensionForm& operator=(const TensionForm&) = delete;
 
-  /// Puts the nodes at `x`, each tension as the length says.
+  /// Puts the nodes at `x`, by lanes, each tension as the length says.
   void place(In x);
   /// The same with the unknown tensions given, [N] for each spring of the model.
   void place(In x, const std::vector<double>& tensions);
@@ -47,6 +47,7 @@ class TensionForm {
   /// The smallest eigenvalue of the stiffness matrix here.
   Curvature curvature();
 
+  /// By lanes.
   std::vector<double> positions() const;
   /// Tension [N] of each spring of the model, in its order; positive pulls. NaN at length 0, where it has no direction;
   /// 0 where the length that says it is the rest length to round-off.

@@ -1,5 +1,7 @@
 #include "engine/statics/tension_matrix.h"
 
+#include "engine/solve/spans.h"
+
 #include "engine/solve/linear_solver.h"
 
 #include <algorithm>
@@ -17,9 +19,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 void TensionMatrix::linearise() {
   TensionShape& s = shape_;
-  const std::size_t count = static_cast<std::size_t>(s.size);
-  s.still.linearisation()->assemble(0.0, 0.0, 1.0, s.start.t, {s.hi.data(), count}, s.start.v, s.start.z,
-                                    Form::Symmetric, others_);
+  s.compact.linearisation()->assemble(0.0, 0.0, 1.0, s.start.t, spanOf(s.hi), {}, s.start.z, Form::Symmetric, others_);
   ++s.work.jacobians;
   multiplyAbsolute(others_, s.hi, s.otherFloor);
   s.otherFloor *= eps;

@@ -2,6 +2,7 @@
 
 #include "engine/forces/length.h"
 #include "engine/model/axes.h"
+#include "engine/solve/spans.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,17 +69,20 @@ TensionShape::TensionShape(const ModelSystem& whole, const State& state)
     : system(whole),
       others(withoutSprings(whole)),
       still(*others, state.t),
+      compact(still),
       start(state),
       dimension(whole.dimension()),
       size(whole.size()) {
-  start.v.assign(static_cast<std::size_t>(size), 0.0);
+  std::ranges::fill(start.v, 0.0);
+  compact.follow(start);
   springs = springsOf(system, start);
   put(start.x);
   for (Eigen::Index i = 0; i + dimension <= size; i += dimension) load += otherForce.segment(i, dimension).norm();
 }
 
 void TensionShape::put(In x) {
-  hi = Eigen::Map<const Vector>(x.data(), size);
+  hi.resize(size);
+  compact.gather(x, spanOf(hi));
   lo = Vector::Zero(size);
   for (TensionSpring& spring : springs) spring.mixed = false;
   measure();
@@ -122,8 +126,7 @@ void TensionShape::measure() {
   measureLengths();
   ++work.forceEvaluations;
   otherForce.resize(size);
-  const std::size_t count = static_cast<std::size_t>(size);
-  still.potential()->conservativeForce(start.t, {hi.data(), count}, start.z, {otherForce.data(), count});
+  compact.potential()->conservativeForce(start.t, spanOf(hi), start.z, spanOf(otherForce));
   F.assign(otherForce.data(), otherForce.data() + size);
   floor = otherForce.cwiseAbs();
   addSpringForces();

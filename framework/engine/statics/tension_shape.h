@@ -1,4 +1,5 @@
 #pragma once
+#include "engine/compact_system.h"
 #include "engine/model/model_system.h"
 #include "engine/statics/at_rest.h"
 #include "engine/statics/imbalance.h"
@@ -24,7 +25,7 @@ struct TensionShape {
   /// The springs of `system`, and its other forces at the time of `state`. The system must outlive this.
   TensionShape(const ModelSystem& system, const State& state);
 
-  /// Puts the nodes at x, each tension as the length says.
+  /// Puts the nodes at x, by lanes, each tension as the length says.
   void put(In x);
   /// Works out lengths, forces and their round-off, after positions or tensions have changed.
   void measure();
@@ -35,6 +36,7 @@ struct TensionShape {
   const ModelSystem& system;
   std::unique_ptr<ModelSystem> others;  ///< everything but the springs
   AtRest still;                         ///< that, with its external forces as dead loads
+  CompactSystem compact;                ///< that, of its unknowns alone
   State start;                          ///< with v = 0
   int dimension;
   Eigen::Index size;  ///< number of unknown positions

@@ -13,7 +13,7 @@ namespace muelle::hard_cases {
 namespace {
 
 constexpr int samples = 8;
-constexpr std::size_t fewUnknowns = 6;
+constexpr int fewUnknowns = 6;
 constexpr double change = 1e-7;  // [m]: far above the run's own error, small enough to be linear
 
 /// Accurate, adaptive, and at home with velocities and contacts.
@@ -54,12 +54,12 @@ double speedOf(const State& state) {
 
 /// Changes of 1 m, velocities in units of the rate: along each unknown while there are few. Of many only those that the
 /// motion itself makes, in the places alone and in the velocities alone: any other would stretch what is stiff.
-std::vector<State> directions(const Variant& variant, const State& state) {
+std::vector<State> directions(const Variant& variant, const engine::ModelSystem& system, const State& state) {
   const std::size_t n = state.x.size();
   const double rate = rateOf(variant);
   std::vector<State> all;
   const State none{0.0, std::vector<double>(n, 0.0), std::vector<double>(n, 0.0), {}};
-  if (n > fewUnknowns) {
+  if (system.size() > fewUnknowns) {
     all.assign(2, none);
     const double fastest = std::max(speedOf(state), 1e-300);
     for (std::size_t i = 0; i < n; ++i) {
@@ -68,18 +68,19 @@ std::vector<State> directions(const Variant& variant, const State& state) {
     }
     return all;
   }
-  for (std::size_t i = 0; i < n; ++i) {
+  for (int i = 0; i < system.size(); ++i) {
+    const std::size_t lane = laneOf(system, i);
     all.push_back(none);
-    all.back().x[i] = 1.0;
+    all.back().x[lane] = 1.0;
     all.push_back(none);
-    all.back().v[i] = rate;
+    all.back().v[lane] = rate;
   }
   return all;
 }
 
-double growthFrom(const Variant& variant, const State& state) {
+double growthFrom(const Variant& variant, const engine::ModelSystem& system, const State& state) {
   double sum = 0.0;
-  const std::vector<State> all = directions(variant, state);
+  const std::vector<State> all = directions(variant, system, state);
   for (const State& direction : all) {
     State moved = state;
     for (std::size_t i = 0; i < moved.x.size(); ++i) {
@@ -100,14 +101,14 @@ double growthPerSpeed(const Variant& variant, State state) {
 
 /// Speed of the motion at a state, velocities and accelerations over the rate, of the unknown that moves most [m/s].
 double flowOf(const Variant& variant, const engine::ModelSystem& system, const State& state) {
-  std::vector<double> force(state.x.size());
+  std::vector<double> acceleration(state.x.size());
   State live = state;
   if (live.z.empty()) live.z.assign(static_cast<std::size_t>(system.internalSize()), 0.0);
   if (system.switching() != nullptr) system.switching()->commit(live, false);
-  system.force(live.t, live.x, live.v, live.z, force);
+  system.acceleration(live.t, live.x, live.v, live.z, acceleration);
   double largest = 0.0;
-  for (std::size_t i = 0; i < force.size(); ++i) {
-    largest = std::max(largest, std::hypot(state.v[i], force[i] / system.mass()[i] / rateOf(variant)));
+  for (std::size_t i = 0; i < acceleration.size(); ++i) {
+    largest = std::max(largest, std::hypot(state.v[i], acceleration[i] / rateOf(variant)));
   }
   return largest;
 }
@@ -177,7 +178,7 @@ Sensitivity sensitivityOf(const Variant& variant) {
   int fast = 0;
   for (const State& state : states) {
     found.times.push_back(state.t);
-    found.any.push_back(growthFrom(variant, state));
+    found.any.push_back(growthFrom(variant, system, state));
     found.along.push_back(perSecond / flowOf(variant, *system, state));
     if (speedOf(state) < 0.5 * fastest) continue;
     const double growth = growthPerSpeed(variant, state);

@@ -62,11 +62,11 @@ Motion1D motionAt(const Model& model, int node, double t, double h) {
 std::vector<Motion1D> motionOf(const Model& model, int node, double duration, double dt, double h) {
   const std::unique_ptr<ModelSystem> system = build(model);
   const Trajectory trajectory = runOf(*system, duration, dt, h).trajectory;
-  const auto unknown = static_cast<std::size_t>(system->unknown(node, 0));
+  const auto lane = static_cast<std::size_t>(system->lane(node, 0));
   const double start = model.nodes[static_cast<std::size_t>(node)].x[0];
   std::vector<Motion1D> motion;
   for (std::size_t i = 0; i < trajectory.t.size(); ++i) {
-    motion.push_back({trajectory.x[i][unknown] - start, trajectory.v[i][unknown]});
+    motion.push_back({trajectory.x[i][lane] - start, trajectory.v[i][lane]});
   }
   return motion;
 }

@@ -110,9 +110,12 @@ Sizes differenceOf(const Scene& scene, const ModelSystem& system, const Trajecto
   const auto dimension = static_cast<std::size_t>(system.dimension());
   const std::size_t outputs = measuredOutputs(scene).size();
   sizes.outputs.assign(outputs, 0.0);
+  std::vector<double> xa, va, xb, vb;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    sizes.position = std::max(sizes.position, largestDistance(a.x[rows[i]], b.x[i], dimension));
-    sizes.velocity = std::max(sizes.velocity, largestDistance(a.v[rows[i]], b.v[i], dimension));
+    system.everyNode({a.t[rows[i]], a.x[rows[i]], a.v[rows[i]], {}}, xa, va);
+    system.everyNode({b.t[i], b.x[i], b.v[i], {}}, xb, vb);
+    sizes.position = std::max(sizes.position, largestDistance(xa, xb, dimension));
+    sizes.velocity = std::max(sizes.velocity, largestDistance(va, vb, dimension));
     for (std::size_t j = 0; j < outputs; ++j) {
       const double difference = valuesOf(a, outputs, j)[rows[i]] - valuesOf(b, outputs, j)[i];
       sizes.outputs[j] = std::max(sizes.outputs[j], std::abs(difference));

@@ -47,7 +47,9 @@ double wayToObstacles(const Model& model) {
 }
 
 double kineticEnergyOf(const ModelSystem& system, State state, const std::vector<double>& drift) {
-  for (std::size_t i = 0; i < state.v.size(); ++i) state.v[i] -= drift[i % drift.size()];
+  for (int i = 0; i < system.size(); ++i) {
+    state.v[laneOf(system, i)] -= drift[static_cast<std::size_t>(i) % drift.size()];
+  }
   return system.kineticEnergy(state);
 }
 
@@ -55,11 +57,13 @@ double kineticEnergyOf(const ModelSystem& system, State state, const std::vector
 double sumOfForces(const ModelSystem& system, const State& state) {
   std::vector<double> force(state.x.size());
   system.force(state.t, state.x, state.v, state.z, force);
-  const auto dimension = static_cast<std::size_t>(system.dimension());
   double sum = 0.0;
-  for (std::size_t node = 0; node < force.size(); node += dimension) {
+  for (int first = 0; first < system.size(); first += system.dimension()) {
     double squares = 0.0;
-    for (std::size_t c = 0; c < dimension; ++c) squares += force[node + c] * force[node + c];
+    for (int i = first; i < first + system.dimension(); ++i) {
+      const double component = force[laneOf(system, i)];
+      squares += component * component;
+    }
     sum += std::sqrt(squares);
   }
   return sum;

@@ -287,11 +287,11 @@ TEST_F(Derivatives, ConstraintsAndExternalForceAreAllTheForce) {
       double rate = 0.0;
       for (int i = 0; i < c.count; ++i) {
         const auto e = static_cast<std::size_t>(i);
-        rate += c.gradient[e] * s.v[static_cast<std::size_t>(c.unknown[e])];
+        rate += c.gradient[e] * s.v[static_cast<std::size_t>(c.lane[e])];
       }
       for (int i = 0; i < c.count; ++i) {
         const auto e = static_cast<std::size_t>(i);
-        f[c.unknown[e]] -= (c.value / c.compliance + c.damping * rate) * c.gradient[e];
+        f[c.lane[e]] -= (c.value / c.compliance + c.damping * rate) * c.gradient[e];
       }
     }
     // A damped contact never pulls and its obstacle may move: a Constraint knows neither.

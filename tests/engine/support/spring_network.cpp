@@ -142,7 +142,7 @@ bool SpringNetwork::evaluate(int j, double, In x, In, Constraint& out) const {
   for (const int node : {s.a, s.b}) {
     if (node < 0) continue;
     for (int c = 0; c < dimension_; ++c) {
-      out.unknown[index(out.count)] = node * dimension_ + c;
+      out.lane[index(out.count)] = node * dimension_ + c;
       out.gradient[index(out.count)] = (node == s.a ? 1.0 : -1.0) * d[c] / L;
       ++out.count;
     }

@@ -66,20 +66,15 @@ void addRodForces(const ModelSystem& system, const Numbers& x, const Numbers& v,
   for (Eigen::Index j = 0; j < count; ++j) {
     const Rod& rod = rods[static_cast<std::size_t>(j)];
     double squares = 0.0;
-    for (int c = 0; c < dimension; ++c) {
-      const auto value = [&](int first, const Numbers& y, double held) {
-        return first >= 0 ? y[static_cast<std::size_t>(first + c)] : held;
-      };
-      const double d = value(rod.a, x, rod.held[static_cast<std::size_t>(c)]) -
-                       value(rod.b, x, rod.held[static_cast<std::size_t>(c)]);
-      const double rate = value(rod.a, v, 0.0) - value(rod.b, v, 0.0);
-      squares += rate * rate;
-      if (rod.a >= 0) G(j, rod.a + c) = d;
-      if (rod.b >= 0) G(j, rod.b + c) = -d;
+    for (std::size_t c = 0; c < static_cast<std::size_t>(dimension); ++c) {
+      const auto a = static_cast<std::size_t>(rod.a[c]), b = static_cast<std::size_t>(rod.b[c]);
+      squares += (v[a] - v[b]) * (v[a] - v[b]);
+      G(j, rod.a[c]) = x[a] - x[b];
+      G(j, rod.b[c]) = x[b] - x[a];
     }
     right[j] = -squares;
   }
-  const Eigen::VectorXd inverse = Eigen::Map<const Eigen::VectorXd>(system.mass().data(), n).cwiseInverse();
+  const Eigen::Map<const Eigen::VectorXd> inverse(system.inverseMass().data(), n);
   Eigen::Map<Eigen::VectorXd> force(f.data(), n);
   right -= G * inverse.cwiseProduct(force);
   force += G.transpose() * (G * inverse.asDiagonal() * G.transpose()).ldlt().solve(right);
@@ -93,13 +88,14 @@ Trajectory byOdeint(const Scene& scene, const ModelSystem& system, const State& 
   Numbers y = start.x;
   y.insert(y.end(), start.v.begin(), start.v.end());
   const auto slope = [&](const Numbers& at, Numbers& rate, double t) {
-    const Numbers x(at.begin(), at.begin() + n), v(at.begin() + n, at.end());
+    Numbers x(at.begin(), at.begin() + n), v(at.begin() + n, at.end());
+    system.place(t, z, x, v);
     Numbers f(x.size());
     system.force(t, x, v, z, f);
     addRodForces(system, x, v, f);
     for (std::size_t i = 0; i < x.size(); ++i) {
       rate[i] = v[i];
-      rate[x.size() + i] = f[i] / system.mass()[i];
+      rate[x.size() + i] = f[i] * system.inverseMass()[i];
     }
   };
   Trajectory trajectory;

@@ -37,7 +37,7 @@ MethodInfo rattleInfo() {
 /// The rods at one configuration: directions, and the matrix G M^-1 G^T of their forces on each other, factorised.
 struct RodFrame {
   StateMark mark;
-  Eigen::SparseMatrix<double> G;  ///< rods x unknowns: derivative of the lengths
+  Eigen::SparseMatrix<double> G;  ///< rods x lanes: derivative of the lengths
   SystemMatrix A;
   LinearSolver solver;
 
@@ -48,10 +48,8 @@ struct RodFrame {
 /// Offset between the ends of a rod, a - b [m].
 std::array<double, 3> offset(const Rod& rod, int dimension, In x) {
   std::array<double, 3> d{};
-  for (int c = 0; c < dimension; ++c) {
-    const auto i = static_cast<std::size_t>(c);
-    d[i] = (rod.a >= 0 ? x[static_cast<std::size_t>(rod.a) + i] : rod.held[i]) -
-           (rod.b >= 0 ? x[static_cast<std::size_t>(rod.b) + i] : rod.held[i]);
+  for (std::size_t c = 0; c < static_cast<std::size_t>(dimension); ++c) {
+    d[c] = x[static_cast<std::size_t>(rod.a[c])] - x[static_cast<std::size_t>(rod.b[c])];
   }
   return d;
 }
@@ -60,10 +58,10 @@ std::string RodFrame::set(std::span<const Rod> rods, int dimension, const Vector
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t j = 0; j < rods.size(); ++j) {
     const auto d = offset(rods[j], dimension, x);
-    for (int c = 0; c < dimension; ++c) {
-      const double n = d[static_cast<std::size_t>(c)] / rods[j].length;
-      if (rods[j].a >= 0) entries.emplace_back(static_cast<int>(j), rods[j].a + c, n);
-      if (rods[j].b >= 0) entries.emplace_back(static_cast<int>(j), rods[j].b + c, -n);
+    for (std::size_t c = 0; c < static_cast<std::size_t>(dimension); ++c) {
+      const double n = d[c] / rods[j].length;
+      entries.emplace_back(static_cast<int>(j), rods[j].a[c], n);
+      entries.emplace_back(static_cast<int>(j), rods[j].b[c], -n);
     }
   }
   G.resize(static_cast<Eigen::Index>(rods.size()), inverseMass.size());
@@ -93,9 +91,9 @@ class Rattle final : public Integrator {
     kick_.prepare(system);
     rods_ = system.rods();
     dimension_ = system.dimension();
-    const auto n = static_cast<Eigen::Index>(system.size());
-    inverseMass_.resize(n);
-    for (Eigen::Index i = 0; i < n; ++i) inverseMass_[i] = 1.0 / system.mass()[static_cast<std::size_t>(i)];
+    const std::span<const double> w = system.inverseMass();
+    const auto n = std::ssize(w);
+    inverseMass_ = Eigen::Map<const Vector>(w.data(), n);
     dx_.setZero(n);
     dv_.setZero(n);
     residual_.setZero(static_cast<Eigen::Index>(rods_.size()));
@@ -110,7 +108,9 @@ class Rattle final : public Integrator {
     dx_ = h * (v0 + (0.5 * h) * a);
     dv_ = (0.5 * h) * a;
     if (std::string failure = drift(from, h, to); !failure.empty()) return failed(h, failure);
-    kick_.evaluate(system, to.t, to.x, from.v, from.z, work_);
+    to.v = from.v;
+    system.place(to.t, to.z, to.x, to.v);
+    kick_.evaluate(system, to.t, to.x, to.v, from.z, work_);
     dv_ += (0.5 * h) * a;  // which is now the end's
     if (std::string failure = stopStretching(from, to); !failure.empty()) return failed(h, failure);
     for (std::size_t i = 0; i < from.v.size(); ++i) to.v[i] = from.v[i] + dv_[static_cast<Eigen::Index>(i)];
@@ -224,7 +224,7 @@ class Rattle final : public Integrator {
   int dimension_ = 1;
   Vector inverseMass_;
   Vector dx_, dv_;                  ///< change over the step
-  Vector residual_, force_, push_;  ///< of the rods, of the rods, of the unknowns
+  Vector residual_, force_, push_;  ///< of the rods, of the rods, of the lanes
   std::unique_ptr<RodFrame> start_ = std::make_unique<RodFrame>(), end_ = std::make_unique<RodFrame>();
 };
 

@@ -33,16 +33,15 @@ class SymplecticEuler : public Integrator {
   }
 
   void prepare(const DynamicalSystem& system, const Tolerance&) override {
-    force_.resize(static_cast<std::size_t>(system.size()));
+    acceleration_.resize(static_cast<std::size_t>(system.storage()));
   }
 
   StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
     prepareResult(from, h, to);
-    system.force(from.t, from.x, from.v, from.z, force_);
+    system.acceleration(from.t, from.x, from.v, from.z, acceleration_);
     ++work_.forceEvaluations;
-    const std::span<const double> m = system.mass();
-    for (std::size_t i = 0; i < force_.size(); ++i) {
-      to.v[i] = from.v[i] + h / m[i] * force_[i];
+    for (std::size_t i = 0; i < acceleration_.size(); ++i) {
+      to.v[i] = from.v[i] + h * acceleration_[i];
       to.x[i] = from.x[i] + h * to.v[i];
     }
     return finiteOrFailure(system, from, to, 0.0);
@@ -51,9 +50,8 @@ class SymplecticEuler : public Integrator {
   bool hasIncrements() const override { return true; }
   StepResult stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) override {
     StepResult result = step(system, from, h, increment);
-    const std::span<const double> m = system.mass();
-    for (std::size_t i = 0; i < force_.size(); ++i) {
-      increment.v[i] = h / m[i] * force_[i];
+    for (std::size_t i = 0; i < acceleration_.size(); ++i) {
+      increment.v[i] = h * acceleration_[i];
       const double v = from.v[i] + increment.v[i];
       increment.x[i] = h * v + h * lostIn(v, from.v[i], increment.v[i]);
     }
@@ -61,7 +59,7 @@ class SymplecticEuler : public Integrator {
   }
 
  private:
-  std::vector<double> force_;
+  std::vector<double> acceleration_;
 };
 
 }  // namespace

@@ -104,6 +104,7 @@ class VelocityVerlet : public Integrator {
       dv_[i] = loss(i) * from.v[i] + h * ((phi1(i) - phi2(i)) * a[i]);
       predicted_[i] = from.v[i] + (dv_[i] + h * (phi2(i) * a[i]));
     }
+    system.place(to.t, from.z, to.x, predicted_);
     kick_.evaluate(system, to.t, to.x, predicted_, from.z, work_);
     for (std::size_t i = 0; i < n; ++i) dv_[i] += h * (phi2(i) * a[i]);
   }

@@ -1,6 +1,9 @@
 #include "engine/integrators/implicit/implicit_method.h"
 
+#include "engine/solve/spans.h"
+
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -21,6 +24,7 @@ void ImplicitMethod::prepare(const DynamicalSystem& system, const Tolerance& tol
   }
   tolerance_ = tolerance.newton;
   newton_.prepare(system);
+  compact_.emplace(system);
   const auto n = static_cast<Eigen::Index>(system.size());
   stage_ = {};
   for (Vector* v : {&stage_.X0, &stage_.V0, &w_, &dx_, &dv_}) v->setZero(n);
@@ -45,25 +49,40 @@ StepResult ImplicitMethod::solveStage(const DynamicalSystem& system, const Newto
   return result;
 }
 
-StepResult ImplicitMethod::step(const DynamicalSystem& system, const State& from, double h, State& to) {
-  StepResult result = advance(system, from, h);
+/// Advances, and makes `to` as long as `from`, with its time and internal variables.
+StepResult ImplicitMethod::advanceWhole(const DynamicalSystem& system, const State& from, double h, State& to) {
+  compact_->follow(from);
+  compact_->compact(from, from_);
+  StepResult result = advance(*compact_, from_, h);
   if (!result.done) return result;
   to.t = from.t + h;
-  vector(to.x) = vector(from.x) + dx_;
-  vector(to.v) = vector(from.v) + dv_;
   to.z = from.z;
-  result.done = vector(to.x).allFinite() && vector(to.v).allFinite();
+  to.x.resize(static_cast<std::size_t>(system.storage()));
+  to.v.resize(to.x.size());
+  result.done = dx_.allFinite() && dv_.allFinite();
   if (!result.done) result.failure = fmt::format("{} with h = {:.6g} s: the new state is not finite", info_.id, h);
   return result;
 }
 
-StepResult ImplicitMethod::stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) {
-  StepResult result = advance(system, from, h);
+StepResult ImplicitMethod::step(const DynamicalSystem& system, const State& from, double h, State& to) {
+  StepResult result = advanceWhole(system, from, h, to);
   if (!result.done) return result;
-  vector(increment.x) = dx_;
-  vector(increment.v) = dv_;
-  result.done = dx_.allFinite() && dv_.allFinite();
-  if (!result.done) result.failure = fmt::format("{} with h = {:.6g} s: the new state is not finite", info_.id, h);
+  to.x = from.x;
+  to.v = from.v;
+  vector(from_.x) += dx_;
+  vector(from_.v) += dv_;
+  from_.t = to.t;
+  compact_->expand(from_, to);
+  return result;
+}
+
+StepResult ImplicitMethod::stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) {
+  StepResult result = advanceWhole(system, from, h, increment);
+  if (!result.done) return result;
+  std::ranges::fill(increment.x, 0.0);
+  std::ranges::fill(increment.v, 0.0);
+  compact_->scatter(spanOf(dx_), increment.x);
+  compact_->scatter(spanOf(dv_), increment.v);
   return result;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
+#include "engine/compact_system.h"
 #include "engine/integrator.h"
 #include "engine/solve/newton.h"
 
 #include <Eigen/Core>
+#include <optional>
 
 namespace muelle::engine {
 
@@ -27,7 +29,7 @@ class ImplicitMethod : public Integrator {
   static Eigen::Map<Vector> vector(std::vector<double>& values) {
     return {values.data(), static_cast<Eigen::Index>(values.size())};
   }
-  /// Computes the change over a step into dx_ and dv_.
+  /// Computes the change over a step into dx_ and dv_. The system and the state are compact: unknowns alone.
   virtual StepResult advance(const DynamicalSystem& system, const State& from, double h) = 0;
   /// Solves stage_ from the guess in w_; the result says which step failed when it did.
   StepResult solveStage(const DynamicalSystem& system, const NewtonOptions& options, double h);
@@ -43,6 +45,12 @@ class ImplicitMethod : public Integrator {
   ImplicitStage stage_;
   Vector w_;        ///< solution of the stage: an increment of velocity
   Vector dx_, dv_;  ///< change over the step
+
+ private:
+  StepResult advanceWhole(const DynamicalSystem& system, const State& from, double h, State& to);
+
+  std::optional<CompactSystem> compact_;
+  State from_;  ///< of compact_
 };
 
 /// A MethodInfo with what all implicit methods have in common.

@@ -23,8 +23,8 @@ void PositionMethod::prepare(const DynamicalSystem& system, const Tolerance&) {
     throw std::invalid_argument(
         fmt::format("{} takes springs only; this system has constraints that are no distances", info_.id));
   }
-  external_.assign(static_cast<std::size_t>(system.size()), 0.0);
-  mass_ = external_;
+  external_.assign(static_cast<std::size_t>(system.storage()), 0.0);
+  mass_ = inverseMass_ = external_;
   restart();
 }
 
@@ -36,7 +36,8 @@ void PositionMethod::accelerate(const DynamicalSystem& system, double t, double 
       system.drag() != nullptr ? system.drag()->coefficients() : std::span<const double>{};
   for (std::size_t i = 0; i < state.v.size(); ++i) {
     mass_[i] = mass[i] + (drag.empty() ? 0.0 : h * drag[i]);
-    state.v[i] += h * external_[i] / mass_[i];
+    inverseMass_[i] = mass_[i] > 0.0 ? 1.0 / mass_[i] : 0.0;
+    state.v[i] += h * external_[i] * inverseMass_[i];
   }
 }
 

@@ -17,13 +17,13 @@ class PositionMethod : public Integrator {
 
  protected:
   /// Advances v by the external forces over h: node drag -d v as backward Euler does, all others as constant. Sets
-  /// mass_ to m + h d, the mass that the other forces of the step then see.
+  /// mass_ to m + h d, the mass that the other forces of the step then see; held nodes have 0 and an inverse of 0.
   void accelerate(const DynamicalSystem& system, double t, double h, State& state);
   /// Sets the time and checks that x and v are finite.
   StepResult finish(const State& from, double h, State& to) const;
 
   MethodInfo info_;
-  std::vector<double> external_, mass_;
+  std::vector<double> external_, mass_, inverseMass_;
 };
 
 /// A MethodInfo with what the position based methods have in common.

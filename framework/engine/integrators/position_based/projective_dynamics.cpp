@@ -43,7 +43,7 @@ class ProjectiveDynamics final : public PositionMethod {
     PositionMethod::prepare(system, tolerance);
     matrixStep_ = 0.0;
     covered_.assign(static_cast<std::size_t>(system.constraints()->count()), false);
-    for (Vector* v : {&residual_, &increment_, &offset_}) v->setZero(system.size());
+    for (Vector* v : {&residual_, &increment_, &offset_}) v->setZero(system.storage());
   }
 
   StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
@@ -52,6 +52,7 @@ class ProjectiveDynamics final : public PositionMethod {
     to.z = from.z;
     accelerate(system, from.t, h, to);
     for (std::size_t i = 0; i < to.x.size(); ++i) to.x[i] += h * to.v[i];
+    system.place(from.t + h, to.z, to.x, to.v);
     // The distance from the inertial position is kept by itself: a difference of positions, divided by h, would bring
     // their rounding into the momentum.
     offset_.setZero();
@@ -82,19 +83,18 @@ class ProjectiveDynamics final : public PositionMethod {
     const Constraints& constraints = *system.constraints();
     ++work_.forceEvaluations;
     bool missing = false;
-    constraints.extend(from.t + h, to.x, all_);
     for (int j = 0; j < constraints.count(); ++j) {
-      if (!constraints.evaluate(j, from.t + h, all_, to.z, constraint_)) continue;
+      if (!constraints.evaluate(j, from.t + h, to.x, to.z, constraint_)) continue;
       const Constraint& c = constraint_;
       if (!covered_[static_cast<std::size_t>(j)]) missing = true;
       double moved = 0.0;
       for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
-        const auto u = static_cast<std::size_t>(c.unknown[i]);
-        moved += c.gradient[i] * (to.x[u] - from.x[u]);
+        const auto u = static_cast<std::size_t>(c.lane[i]);
+        if (inverseMass_[u] > 0.0) moved += c.gradient[i] * (to.x[u] - from.x[u]);
       }
       const double pull = c.value / c.compliance + c.damping * moved / h;
       for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
-        residual_[c.unknown[i]] += pull * c.gradient[i];
+        if (inverseMass_[static_cast<std::size_t>(c.lane[i])] > 0.0) residual_[c.lane[i]] += pull * c.gradient[i];
       }
     }
     return missing;
@@ -106,10 +106,13 @@ class ProjectiveDynamics final : public PositionMethod {
     const int dimension = system.dimension();
     covered_.assign(covered_.size(), false);
     std::vector<Eigen::Triplet<double>> entries;
-    for (int i = 0; i < system.size(); ++i) entries.emplace_back(i, i, mass_[static_cast<std::size_t>(i)] / (h * h));
-    constraints.extend(t, state.x, all_);
+    const auto isFree = [this](int lane) { return inverseMass_[static_cast<std::size_t>(lane)] > 0.0; };
+    // Lanes that are no unknowns have rows of their own, and stay.
+    for (int i = 0; i < system.storage(); ++i) {
+      entries.emplace_back(i, i, isFree(i) ? mass_[static_cast<std::size_t>(i)] / (h * h) : 1.0);
+    }
     for (int j = 0; j < constraints.count(); ++j) {
-      if (!constraints.evaluate(j, t, all_, state.z, constraint_)) continue;
+      if (!constraints.evaluate(j, t, state.x, state.z, constraint_)) continue;
       const Constraint& c = constraint_;
       if (c.kind != Constraint::Kind::Distance || (c.count != dimension && c.count != 2 * dimension)) {
         return fmt::format("{} takes distances only; constraint {} is none", info_.id, j);
@@ -118,16 +121,17 @@ class ProjectiveDynamics final : public PositionMethod {
       covered_[static_cast<std::size_t>(j)] = true;
       const double k = 1.0 / c.compliance + c.damping / h;
       for (int axis = 0; axis < dimension; ++axis) {
-        const int a = c.unknown[static_cast<std::size_t>(axis)];
-        entries.emplace_back(a, a, k);
-        if (c.count == dimension) continue;
-        const int b = c.unknown[static_cast<std::size_t>(axis + dimension)];
-        entries.emplace_back(b, b, k);
+        const int a = c.lane[static_cast<std::size_t>(axis)];
+        if (isFree(a)) entries.emplace_back(a, a, k);
+        if (c.count == dimension) continue;  // the other end is no lane
+        const int b = c.lane[static_cast<std::size_t>(axis + dimension)];
+        if (isFree(b)) entries.emplace_back(b, b, k);
+        if (!isFree(a) || !isFree(b)) continue;
         entries.emplace_back(a, b, -k);
         entries.emplace_back(b, a, -k);
       }
     }
-    matrix_.sparse.resize(system.size(), system.size());
+    matrix_.sparse.resize(system.storage(), system.storage());
     matrix_.sparse.setFromTriplets(entries.begin(), entries.end());
     matrix_.symmetric = true;
     const Factorisation found = solver_.factorise(matrix_, true);
@@ -144,7 +148,6 @@ class ProjectiveDynamics final : public PositionMethod {
   SystemMatrix matrix_;
   LinearSolver solver_;
   Constraint constraint_;
-  std::vector<double> all_;  // positions with the fixed nodes behind
   Vector residual_, increment_, offset_;
 };
 

@@ -48,24 +48,23 @@ class Xpbd final : public PositionMethod {
     accelerate(system, t, h, state);
     before_ = state.x;
     for (std::size_t i = 0; i < state.x.size(); ++i) state.x[i] += h * state.v[i];
+    system.place(t + h, state.z, state.x, state.v);
     const Constraints& constraints = *system.constraints();
-    constraints.extend(t + h, state.x, all_);
     for (int j = 0; j < constraints.count(); ++j) {
-      if (constraints.evaluate(j, t + h, all_, state.z, constraint_)) project(h, state);
+      if (constraints.evaluate(j, t + h, state.x, state.z, constraint_)) project(h, state);
     }
-    std::copy_n(all_.begin(), state.x.size(), state.x.begin());
   }
 
   /// The velocity takes each correction over h: (x - before) / h would bring the rounding of x, divided by h, into the
   /// momentum.
   void project(double h, State& state) {
-    std::vector<double>& x = all_;
+    std::vector<double>& x = state.x;
     const Constraint& c = constraint_;
     double w = 0.0, moved = 0.0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
-      const auto u = static_cast<std::size_t>(c.unknown[i]);
-      w += c.gradient[i] * c.gradient[i] / mass_[u];
-      moved += c.gradient[i] * (x[u] - before_[u]);
+      const auto u = static_cast<std::size_t>(c.lane[i]);
+      w += c.gradient[i] * c.gradient[i] * inverseMass_[u];
+      if (inverseMass_[u] > 0.0) moved += c.gradient[i] * (x[u] - before_[u]);
     }
     double multiplier = 0.0;
     if (c.compliance > 0.0) {
@@ -75,15 +74,15 @@ class Xpbd final : public PositionMethod {
       multiplier = -c.value / w;
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
-      const auto u = static_cast<std::size_t>(c.unknown[i]);
-      const double correction = multiplier * c.gradient[i] / mass_[u];
+      const auto u = static_cast<std::size_t>(c.lane[i]);
+      const double correction = multiplier * c.gradient[i] * inverseMass_[u];
       x[u] += correction;
       state.v[u] += correction / h;
     }
   }
 
   int substeps_;
-  std::vector<double> before_, all_;  // all_: positions with the fixed nodes behind
+  std::vector<double> before_;
   Constraint constraint_;
 };
 

@@ -1,3 +1,4 @@
+#include "engine/compact_system.h"
 #include "engine/solve/dense.h"
 #include "lab/hard_cases/variants/families.h"
 #include "lab/hard_cases/variants/parts.h"
@@ -15,10 +16,13 @@ std::vector<Mode> modesAt(const Model& model, int node) {
   const State start = system->initialState();
   engine::SystemMatrix K;
   system->linearisation()->assemble(0, 0, 1, start.t, start.x, start.v, start.z, engine::Form::Exact, K);
-  const Eigen::Map<const Eigen::VectorXd> mass(system->mass().data(), system->size());
+  engine::CompactSystem compact(*system);
+  compact.follow(start);
+  const State unknowns = compact.compact(start);
+  const Eigen::Map<const Eigen::VectorXd> mass(compact.mass().data(), system->size());
   const Eigen::VectorXd root = mass.cwiseSqrt();
   Eigen::VectorXd force(system->size());
-  system->force(start.t, start.x, start.v, start.z, {force.data(), start.x.size()});
+  compact.force(start.t, unknowns.x, unknowns.v, start.z, {force.data(), unknowns.x.size()});
   const Eigen::MatrixXd stiffness(K.sparse);
   const Eigen::VectorXd fromRest = -engine::solveFullPivoting(stiffness, force);
   const engine::SymmetricEigenpairs pairs =

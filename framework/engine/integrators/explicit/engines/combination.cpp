@@ -81,8 +81,8 @@ StepResult finiteOrFailure(const DynamicalSystem& system, const State& from, con
                                              "beyond the method's stability, or the force is not finite",
                                              what, to.t - from.t, from.t)};
   };
-  if (position >= 0) return failure("the position of " + system.unknownName(position));
-  if (velocity >= 0) return failure("the velocity of " + system.unknownName(velocity));
+  if (position >= 0) return failure("the position of " + laneName(system, position));
+  if (velocity >= 0) return failure("the velocity of " + laneName(system, velocity));
   if (!std::isfinite(error)) return failure("the estimated error");
   return {.done = true, .error = error, .failure = {}};
 }

@@ -65,6 +65,7 @@ StepResult Composition::step(const DynamicalSystem& system, const State& from, d
     const double part = fractions_[j] * h;
     kickAndDrift(system, from, pending + 0.5 * part, part, factors_[std::min(j, substeps - 1 - j)], to);
     t += part;
+    system.place(t, from.z, to.x, to.v);
     kick_.evaluate(system, t, to.x, kick_.usesVelocity() ? In(predicted_) : In(to.v), from.z, work_);
     pending = 0.5 * part;
     if (kick_.usesVelocity() && j + 1 < substeps) {

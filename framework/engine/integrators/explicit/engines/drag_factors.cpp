@@ -10,7 +10,7 @@ void DragFactors::update(const Drag& drag, std::span<const double> mass, double 
   factors_.resize(mass.size());
   const std::span<const double> d = drag.coefficients();
   for (std::size_t i = 0; i < mass.size(); ++i) {
-    const double c = h * d[i] / mass[i];
+    const double c = mass[i] > 0.0 ? h * d[i] / mass[i] : 0.0;
     Factors& f = factors_[i];
     f.decay = std::exp(-c);
     f.loss = std::expm1(-c);

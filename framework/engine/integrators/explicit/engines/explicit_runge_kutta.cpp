@@ -17,10 +17,7 @@ ExplicitRungeKutta::ExplicitRungeKutta(MethodInfo info, const ButcherTableau& ta
 
 void ExplicitRungeKutta::prepare(const DynamicalSystem& system, const Tolerance& tolerance) {
   tolerance_ = tolerance;
-  size_ = static_cast<std::size_t>(system.size());
-  const std::span<const double> mass = system.mass();
-  inverseMass_.resize(size_);
-  std::transform(mass.begin(), mass.end(), inverseMass_.begin(), [](double m) { return 1.0 / m; });
+  size_ = static_cast<std::size_t>(system.storage());
   const std::size_t slopes = stages() + extraSlopes_;
   memory_.assign(slopes * 2 * size_, 0.0);
   slopes_.resize(slopes);
@@ -39,9 +36,8 @@ void ExplicitRungeKutta::accept() { accepted_ = true; }
 
 void ExplicitRungeKutta::evaluate(const DynamicalSystem& system, double t, In x, In z, std::size_t j) {
   const Out a = acceleration(j);
-  system.force(t, x, velocity(j), z, a);
+  system.acceleration(t, x, velocity(j), z, a);
   ++work_.forceEvaluations;
-  for (std::size_t i = 0; i < size_; ++i) a[i] *= inverseMass_[i];
 }
 
 void ExplicitRungeKutta::provideFirstSlope(const DynamicalSystem& system, const State& from) {
@@ -62,6 +58,7 @@ StepResult ExplicitRungeKutta::step(const DynamicalSystem& system, const State& 
   provideFirstSlope(system, from);
   for (std::size_t i = 1; i < stages(); ++i) {
     combine(a_[i], from, h, stage_, velocity(i));
+    system.place(from.t + c_[i] * h, from.z, stage_, velocity(i));
     evaluate(system, from.t + c_[i] * h, stage_, from.z, i);
   }
   prepareResult(from, h, to);

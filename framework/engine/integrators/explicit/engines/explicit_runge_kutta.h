@@ -53,7 +53,6 @@ class ExplicitRungeKutta : public Integrator {
   Tolerance tolerance_;
   std::size_t extraSlopes_ = 1;
   std::size_t size_ = 0;
-  std::vector<double> inverseMass_;
   std::vector<double> memory_;   // all slopes, each 2n: velocities, accelerations
   std::vector<double*> slopes_;  // where slope j begins
   std::vector<double> stage_;    // positions of the present stage

@@ -27,14 +27,12 @@ void Nystrom::prepare(const DynamicalSystem& system, const Tolerance& tolerance)
                     info_.name));
   }
   tolerance_ = tolerance;
-  size_ = static_cast<std::size_t>(system.size());
-  const std::span<const double> mass = system.mass();
-  inverseMass_.resize(size_);
-  std::transform(mass.begin(), mass.end(), inverseMass_.begin(), [](double m) { return 1.0 / m; });
+  size_ = static_cast<std::size_t>(system.storage());
   memory_.assign((stages() + 1) * size_, 0.0);
   accelerations_.resize(stages() + 1);
   for (std::size_t j = 0; j <= stages(); ++j) accelerations_[j] = memory_.data() + size_ * j;
   stage_.resize(size_);
+  stageVelocity_.resize(size_);
   restart();
 }
 
@@ -46,9 +44,8 @@ void Nystrom::restart() {
 
 void Nystrom::evaluate(const DynamicalSystem& system, double t, In x, In v, In z, std::size_t j) {
   const Out a(accelerations_[j], size_);
-  system.force(t, x, v, z, a);
+  system.acceleration(t, x, v, z, a);
   ++work_.forceEvaluations;
-  for (std::size_t i = 0; i < size_; ++i) a[i] *= inverseMass_[i];
 }
 
 void Nystrom::provideFirst(const DynamicalSystem& system, const State& from) {
@@ -67,6 +64,7 @@ void Nystrom::advance(const DynamicalSystem& system, const State& from, double h
     stage.add(c_[i], from.v.data());
     for (std::size_t j = 0; j < i; ++j) stage.add(h * a_[i][j], accelerations_[j]);
     stage.addTo(from.x, h, stage_);
+    system.place(from.t + c_[i] * h, from.z, stage_, stageVelocity_);
     evaluate(system, from.t + c_[i] * h, stage_, from.v, from.z, i);
   }
   prepareResult(from, h, to);

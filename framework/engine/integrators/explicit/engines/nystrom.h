@@ -37,10 +37,9 @@ class Nystrom : public Integrator {
   bool firstSameAsLast_;
   Tolerance tolerance_;
   std::size_t size_ = 0;
-  std::vector<double> inverseMass_;
   std::vector<double> memory_;          // accelerations of the stages, and one to spare
   std::vector<double*> accelerations_;  // where each begins
-  std::vector<double> stage_;
+  std::vector<double> stage_, stageVelocity_;
   StateMark start_, end_;
   bool accepted_ = false;
 };

@@ -35,7 +35,7 @@ class SpectralBound {
   static constexpr int callsBetween = 10;
   static constexpr int mostIterations = 60;
   Iteration stiffness_, damping_;
-  std::vector<double> perturbed_, force_;
+  std::vector<double> perturbed_, changed_;
   bool settled_ = false;
   int calls_ = 0;
 };

@@ -1,0 +1,39 @@
+#pragma once
+#include <cstddef>
+#include <Eigen/Core>
+
+namespace muelle::engine {
+
+/// Where the components of nodes stand in the arrays x, v, f of a built model, in lanes.
+///
+/// Padded: x y z 0 of node after node, so that a node of 3D is one register of four (in 1D and 2D there is no padding).
+/// Planar: x of all nodes, then y, then z, for nodes on a grid whose springs have few strides.
+struct Layout {
+  int node = 1;       ///< lanes from a node to the next
+  int component = 1;  ///< lanes from a component to the next
+  int storage = 0;    ///< lanes of all
+
+  static Layout padded(int dimension, int nodes) {
+    const int width = dimension == 3 ? 4 : dimension;
+    return {width, 1, width * nodes};
+  }
+
+  int lane(int i, int c) const { return i * node + c * component; }
+
+  /// The vector of node i.
+  template <int D>
+  Eigen::Matrix<double, D, 1> at(const double* values, int i) const {
+    Eigen::Matrix<double, D, 1> result;
+    const double* first = values + static_cast<std::ptrdiff_t>(i) * node;
+    for (int c = 0; c < D; ++c) result[c] = first[c * component];
+    return result;
+  }
+  /// Adds to the vector of node i.
+  template <int D, class Vector>
+  void add(double* values, int i, const Vector& addend) const {
+    double* first = values + static_cast<std::ptrdiff_t>(i) * node;
+    for (int c = 0; c < D; ++c) first[c * component] += addend[c];
+  }
+};
+
+}  // namespace muelle::engine
