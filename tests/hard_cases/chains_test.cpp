@@ -37,7 +37,7 @@ TEST(H05MeanHeight, ForceEnergyAndRank) {
   std::vector<double> f(3000);
   system->force(0.0, start.x, start.v, start.z, f);
   for (int i = 0; i < 1000; ++i) {
-    EXPECT_NEAR(f[static_cast<std::size_t>(system->unknown(i, 2))], reference("H05", "force_per_node(0)"), 1e-14);
+    EXPECT_NEAR(f[static_cast<std::size_t>(system->lane(i, 2))], reference("H05", "force_per_node(0)"), 1e-14);
   }
   EXPECT_NEAR(system->totalEnergy(start), reference("H05", "E(0)"), 1e-11);
   const engine::SystemMatrix K = stiffness(*system, start);

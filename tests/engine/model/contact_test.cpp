@@ -16,12 +16,12 @@ void run(const DynamicalSystem& system, State& s, double h, int steps, const std
   std::vector<double> f = forceOf(system, s);
   for (int n = 0; n < steps; ++n) {
     for (std::size_t i = 0; i < s.x.size(); ++i) {
-      s.v[i] += 0.5 * h * f[i] / system.mass()[i];
+      s.v[i] += 0.5 * h * f[i] * system.inverseMass()[i];
       s.x[i] += h * s.v[i];
     }
     s.t += h;
     f = forceOf(system, s);
-    for (std::size_t i = 0; i < s.x.size(); ++i) s.v[i] += 0.5 * h * f[i] / system.mass()[i];
+    for (std::size_t i = 0; i < s.x.size(); ++i) s.v[i] += 0.5 * h * f[i] * system.inverseMass()[i];
     if (system.switching()->commit(s, false)) f = forceOf(system, s);
     f = forceOf(system, s);
     if (after) after();

@@ -100,12 +100,10 @@ TEST(Lengths, NeitherOverflowNorUnderflow) {
     model.springs[0] = {.a = 0, .b = 1, .k = 1.0, .L0 = 2.0 * scale};
     const auto system = build(model);
     const State s = system->initialState();
-    std::vector<double> f(6);
-    system->force(0.0, s.x, s.v, s.z, f);
+    const std::vector<double> f = forceOf(*system, s);
     // L = 5, so the spring pulls with 3 along (3, 0, 4) / 5.
-    const int first = system->unknown(0, 0);
-    EXPECT_NEAR(f[static_cast<std::size_t>(first)] / scale, 1.8, 1e-15);
-    EXPECT_NEAR(f[static_cast<std::size_t>(first) + 2] / scale, 2.4, 1e-15);
+    EXPECT_NEAR(f[static_cast<std::size_t>(system->lane(0, 0))] / scale, 1.8, 1e-15);
+    EXPECT_NEAR(f[static_cast<std::size_t>(system->lane(0, 2))] / scale, 2.4, 1e-15);
   }
 }
 
@@ -141,11 +139,11 @@ TEST(Numbering, TheUsersNumbersGiveTheSameForces) {
   model.renumber = false;
   const auto plain = build(model);
   State a = renumbered->initialState(), b = plain->initialState();
-  ASSERT_EQ(a.x.size(), 12u) << "four free nodes";
+  ASSERT_EQ(renumbered->size(), 12) << "four free nodes";
   a.t = b.t = 0.7;
-  std::vector<double> fa(12), fb(12);
-  renumbered->force(a.t, a.x, a.v, a.z, fa);
-  plain->force(b.t, b.x, b.v, b.z, fb);
+  renumbered->place(a.t, a.z, a.x, a.v);
+  plain->place(b.t, b.z, b.x, b.v);
+  const std::vector<double> fa = forceOf(*renumbered, a), fb = forceOf(*plain, b);
   EXPECT_NEAR(renumbered->totalEnergy(a), plain->totalEnergy(b), 1e-12);
   EXPECT_NEAR((renumbered->momentum(a) - plain->momentum(b)).norm(), 0.0, 1e-14);
   EXPECT_NEAR((renumbered->angularMomentum(a) - plain->angularMomentum(b)).norm(), 0.0, 1e-14);
@@ -158,7 +156,8 @@ TEST(Numbering, TheUsersNumbersGiveTheSameForces) {
         EXPECT_EQ(i, -1) << "pinned or moved";
         continue;
       }
-      EXPECT_NEAR(fa[static_cast<std::size_t>(i)], fb[static_cast<std::size_t>(j)], 1e-12);
+      EXPECT_NEAR(fa[laneOf(*renumbered, i)], fb[laneOf(*plain, j)], 1e-12);
+      EXPECT_EQ(laneOf(*plain, j), static_cast<std::size_t>(plain->lane(node, axis)));
       EXPECT_EQ(renumbered->unknownName(i), plain->unknownName(j));
     }
   }
@@ -187,12 +186,11 @@ TEST(Momentum, InternalForcesSumToZeroWithoutATorque) {
   model.volumes = {{5, 1, 2, 3, 3.0, 0.2}};
   const auto system = build(model);
   State s = system->initialState();
-  std::vector<double> f(18);
-  system->force(0.0, s.x, s.v, s.z, f);
+  const std::vector<double> f = forceOf(*system, s);
   double size = 0.0;
   Vec3 sum = Vec3::Zero(), torque = Vec3::Zero();
   for (int node = 0; node < 6; ++node) {
-    const Eigen::Map<const Vec3> F(f.data() + system->unknown(node, 0));
+    const Eigen::Map<const Vec3> F(f.data() + system->lane(node, 0));
     sum += F;
     torque += system->position(s, node).cross(F);
     size += F.norm();
@@ -265,7 +263,7 @@ TEST(Property, HasNoSparseEntriesAndOneColumn) {
   EXPECT_NEAR(system->totalEnergy(s), 50.10005, 1e-12);
   std::vector<double> f(3 * n);
   system->force(0.0, s.x, s.v, s.z, f);
-  EXPECT_NEAR(f[static_cast<std::size_t>(system->unknown(5, 2))], 0.2002, 1e-15);
+  EXPECT_NEAR(f[static_cast<std::size_t>(system->lane(5, 2))], 0.2002, 1e-15);
   SystemMatrix J;
   system->linearisation()->assemble(1.0, 0.0, 1.0, 0.0, s.x, s.v, s.z, Form::Exact, J);
   EXPECT_EQ(J.sparse.nonZeros(), 9 * n) << "diagonal blocks alone";

@@ -97,8 +97,8 @@ TEST(NearFlat, BendingFollowsBinary128) {
       const Quad slope = static_cast<Quad>(epsilon), L = sqrtq(1 + slope * slope), theta = atanq(slope);
       const double Fz = static_cast<double>(-5 * theta / L / L), Fx = static_cast<double>(5 * theta * slope / L / L);
       const std::vector<double> f = forceOf(*system, s);
-      EXPECT_NEAR(f[static_cast<std::size_t>(system->unknown(2, 2))], Fz, 1e-15 * epsilon * 5.0);
-      EXPECT_NEAR(f[static_cast<std::size_t>(system->unknown(2, 0))], Fx, 1e-15 * epsilon * 5.0);
+      EXPECT_NEAR(f[static_cast<std::size_t>(system->lane(2, 2))], Fz, 1e-15 * epsilon * 5.0);
+      EXPECT_NEAR(f[static_cast<std::size_t>(system->lane(2, 0))], Fx, 1e-15 * epsilon * 5.0);
       // d2E/dz2 of c: k (theta'^2 + theta theta''), theta = atan z.
       const Quad bend = 5 * (1 / (L * L * L * L) - theta * 2 * slope / (L * L * L * L));
       const int z = system->unknown(2, 2);
@@ -116,7 +116,7 @@ TEST(NearFlat, DihedralFollowsBinary128) {
     const State s = system->initialState();
     const Quad z = static_cast<Quad>(epsilon), theta = atanq(z), r2 = 1 + z * z;
     EXPECT_NEAR(system->totalEnergy(s), static_cast<double>(Quad(2.5) * theta * theta), 1e-15 * epsilon * epsilon);
-    EXPECT_NEAR(forceOf(*system, s)[static_cast<std::size_t>(system->unknown(3, 2))],
+    EXPECT_NEAR(forceOf(*system, s)[static_cast<std::size_t>(system->lane(3, 2))],
                 static_cast<double>(-5 * theta / r2), 1e-15 * epsilon * 5.0);
     const int i = system->unknown(3, 2);
     EXPECT_NEAR(stiffness(*system, s)(i, i), static_cast<double>(5 * (1 - 2 * z * theta) / (r2 * r2)), 1e-14);

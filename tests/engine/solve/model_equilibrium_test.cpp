@@ -64,8 +64,8 @@ TEST(ModelEquilibrium, OfACornerHungClothIsBelowThePlanarSaddle) {
   State planar = system->initialState();
   for (int q = 0; q < 100; ++q) {
     if (q == 0 || q == 9) continue;
-    planar.x[static_cast<std::size_t>(system->unknown(q, 1))] = 0.0;
-    planar.x[static_cast<std::size_t>(system->unknown(q, 2))] = -0.1 * (q / 10);
+    planar.x[static_cast<std::size_t>(system->lane(q, 1))] = 0.0;
+    planar.x[static_cast<std::size_t>(system->lane(q, 2))] = -0.1 * (q / 10);
   }
   StaticOptions stay;
   stay.leaveSaddles = false;
