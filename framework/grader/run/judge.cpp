@@ -124,7 +124,8 @@ std::optional<std::string> luckyCall(const Verdict& one, const Verdict& other) {
 /// passed by luck.
 Verdict withOtherFill(const Workplace& workplace, const Candidate& candidate, const Criterion& criterion,
                       const GradeOptions& options, Verdict first) {
-  if (candidate.object.refilled.empty() || isDoubtful(first)) return first;
+  const bool isKnown = first.outcome == Outcome::NeverWritten;
+  if (candidate.object.refilled.empty() || isKnown || isDoubtful(first)) return first;
   const Verdict second = judgeOnce(workplace, candidate, criterion, options, Look::OtherFill);
   if (isDoubtful(second)) return second.outcome == Outcome::Cpu ? first : second;
   const std::optional<std::string> call = luckyCall(first, second);

@@ -185,7 +185,7 @@ void serveForEver(worker::ServeFunction serve) {
         send(wire::FrameKind::Result, currentNonce, request.header.target, result.data(), result.size());
         break;
       case worker::Served::Threw:
-        sendText(wire::FrameKind::Thrown, currentNonce, text);
+        sendText(wire::FrameKind::Thrown, currentNonce, text.substr(0, longestText));
         break;
       case worker::Served::Unknown:
         sendText(wire::FrameKind::LoadError, currentNonce, "the submission does not serve this function");
