@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace muelle::plots {
+namespace muelle::plots::tolerance_against_error {
 
 namespace {
 
@@ -59,4 +59,4 @@ Figure tolerance_against_error() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::tolerance_against_error
