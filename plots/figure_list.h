@@ -6,7 +6,8 @@
 
 namespace muelle::plots {
 
-/// A figure of the lecture: the file plots/figures/NAME.cpp defines `Figure NAME()`, whose id is the name.
+/// A figure of the lecture: the file plots/figures/NAME.cpp defines `Figure NAME()` in a
+/// namespace of its own, muelle::plots::NAME, so that figures need not know each other's names. The id is the name.
 struct LectureFigure {
   std::string name;
   Figure (*draw)();  ///< computes the figure with the engine: seconds at most

@@ -78,6 +78,11 @@ function(muelle_grading_parts topic)
   target_compile_options(hidden_${topic} PRIVATE ${MUELLE_LIGHT})
   target_compile_definitions(hidden_${topic} PRIVATE
                              MUELLE_FUNCTIONS_HEADER="grader/remote/remote_functions.h")
+  # Calls to the worker are templates of some size: compiled once, beside the history of calls that mistakes read.
+  set_source_files_properties(${hidden}/mistakes.cpp TARGET_DIRECTORY hidden_${topic}
+                              PROPERTIES COMPILE_DEFINITIONS MUELLE_REMOTE_CALLS_HERE)
+  set_source_files_properties(${hidden}/${topic}_test.cpp ${folder}/demo.cpp TARGET_DIRECTORY hidden_${topic}
+                              PROPERTIES COMPILE_DEFINITIONS MUELLE_REMOTE_CALLS_ELSEWHERE)
   set_target_properties(hidden_${topic} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/hidden)
   add_dependencies(muelle_grading hidden_${topic} glue_${topic})
   muelle_agreement(${topic})

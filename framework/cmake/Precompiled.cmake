@@ -1,40 +1,48 @@
-# One precompiled header for all of our own code: Eigen/Core, GoogleTest, {fmt} and the standard library's heavy headers
-# are read once instead of a hundred times.
+# Precompiled headers for all of our own code: Eigen/Core, {fmt}, the standard library's heavy headers and, for tests,
+# GoogleTest are read a few times instead of some hundred.
 
 option(MUELLE_PCH "Read the large headers once, as a precompiled header" ON)
 
-function(muelle_precompiled_target target)
+# With `useful` headers besides those that all of our code reads.
+function(muelle_precompiled_target target useful)
   add_library(${target} OBJECT ${CMAKE_BINARY_DIR}/generated/precompiled.cpp)
   target_link_libraries(${target} PRIVATE muelle_flags)
   target_compile_options(${target} PRIVATE ${ARGN})
   # harness/types.h first: it sets Eigen's assertion before Eigen is read.
   target_precompile_headers(${target} PRIVATE
-    ${CMAKE_SOURCE_DIR}/framework/harness/types.h <fmt/format.h> <gtest/gtest.h> <algorithm> <filesystem> <functional>
-    <map> <string> <vector>)
+    ${CMAKE_SOURCE_DIR}/framework/harness/types.h <fmt/format.h> ${useful} <algorithm> <filesystem> <functional> <map>
+    <string> <vector>)
 endfunction()
 
 # One for each optimisation level, for GCC takes the level from the header, whatever the command line says; and one for
-# what is compiled for a student's file, whose Eigen objects are filled.
+# what is compiled for a student's file, whose Eigen objects are filled. GoogleTest is in those of tests only: what its own
+# functions need of templates GCC makes again for every source that reads the header, used or not, which takes as long as
+# all the rest of a small source.
 function(muelle_make_precompiled_headers)
   if(NOT MUELLE_PCH)
     return()
   endif()
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/precompiled.cpp CONTENT "")
-  muelle_precompiled_target(muelle_precompiled)
-  muelle_precompiled_target(muelle_precompiled_light ${MUELLE_LIGHT})
-  muelle_precompiled_target(muelle_precompiled_filled ${MUELLE_LIGHT})
+  muelle_precompiled_target(muelle_precompiled "")
+  muelle_precompiled_target(muelle_precompiled_light "" ${MUELLE_LIGHT})
+  muelle_precompiled_target(muelle_precompiled_tests <gtest/gtest.h> ${MUELLE_LIGHT})
+  muelle_precompiled_target(muelle_precompiled_filled <gtest/gtest.h> ${MUELLE_LIGHT})
   target_compile_definitions(muelle_precompiled_filled PRIVATE ${MUELLE_FILL_DEFINE})
 endfunction()
 
-# The one that fits a target's options and definitions.
+# The one that fits a target's options, definitions and libraries.
 function(muelle_fitting_header target result)
   get_target_property(options ${target} COMPILE_OPTIONS)
   get_target_property(definitions ${target} COMPILE_DEFINITIONS)
+  get_target_property(libraries ${target} LINK_LIBRARIES)
   set(header muelle_precompiled)
   if(MUELLE_FILL_DEFINE IN_LIST definitions)
     set(header muelle_precompiled_filled)
   elseif(MUELLE_LIGHT IN_LIST options)
     set(header muelle_precompiled_light)
+    if(libraries MATCHES "GTest::|muelle_hidden_main")
+      set(header muelle_precompiled_tests)
+    endif()
   endif()
   set(${result} ${header} PARENT_SCOPE)
 endfunction()

@@ -3,9 +3,9 @@
 option(MUELLE_TOGETHER "Compile the sources of a folder together" ON)
 set(CMAKE_UNITY_BUILD ${MUELLE_TOGETHER})  # what targets begin with; in the cache it would outlive the option
 
-# Not where everyone adds sources (exercises, plots), whose names need not differ from each other's, nor where large
-# templates take the time, nor in what a student's program links: it takes no object but those that it calls, and may bring
-# a function of its own in place of ours. Call it before targets are added, or name those that are.
+# Not where everyone adds sources (exercises), whose names need not differ from each other's, nor where large templates
+# take the time, nor in what a student's program links: it takes no object but those that it calls, and may bring a
+# function of its own in place of ours. Call it before targets are added, or name those that are.
 macro(muelle_compile_one_by_one)
   set(targets ${ARGN})
   if(targets)

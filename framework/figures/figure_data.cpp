@@ -35,6 +35,18 @@ bool isDrawnAsPoints(Pen pen, const std::string& lines) {
   return isOnePoint && (pen == Pen::Line || pen == Pen::Reference);
 }
 
+/// A line up to the first point beyond what its panel shows: one that comes back would draw strokes across, and would
+/// belie that it has left. Markers draw none, and a reference never leaves.
+Series upToItsExit(const Series& series, const Figure& figure, const Panel& panel) {
+  Series seen = series;
+  if (series.pen != Pen::Line && series.pen != Pen::LinePoints) return seen;
+  if (const std::optional<std::size_t> exit = exitOf(series, figure, panel)) {
+    seen.x.resize(*exit + 1);
+    seen.y.resize(*exit + 1);
+  }
+  return seen;
+}
+
 /// What is said of a curve that goes beyond what its panel shows; empty when it does not. A label "time [s]" makes it
 /// "leaves the picture at t = 0.2 s"; along a path there is no time to name.
 std::string leavingWords(const Series& series, const Figure& figure, const Panel& panel) {
@@ -70,8 +82,10 @@ class DataWriter {
   }
 
   Curve addCurve(const Series& series, const Panel& panel, int& next) {
-    const std::string lines =
-        series.pen == Pen::Arrows ? arrowBlock(series) : dataBlock(series, hasLogX(figure_, panel), panel.logY);
+    const bool logX = hasLogX(figure_, panel);
+    const std::string lines = series.pen == Pen::Arrows
+                                  ? arrowBlock(series)
+                                  : dataBlock(upToItsExit(series, figure_, panel), logX, panel.logY);
     const int style = styleOf(series, next);
     const int mark = series.pen == Pen::Cells ? style + cellStyle : style;
     const std::string leaves = leavingWords(series, figure_, panel);

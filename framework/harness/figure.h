@@ -86,7 +86,8 @@ struct Panel {
 /// round-off: values that differ by less than 1e-9 of their size, or are all below 1e-12, look constant.
 ///
 /// Where a panel expects a range, its linear axis shows at most three times that, about its middle: a curve that
-/// diverges does not flatten the others, and its name says where it leaves the picture.
+/// diverges does not flatten the others, ends where it leaves the picture, even if its numbers come back, and its name
+/// says where.
 ///
 /// Figures for lectures are slides: see slide().
 class Figure {

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-namespace muelle::plots {
+namespace muelle::plots::area_volume_springs {
 
 namespace {
 
@@ -67,4 +67,4 @@ Figure area_volume_springs() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::area_volume_springs

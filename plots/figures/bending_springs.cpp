@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <cmath>
 
-namespace muelle::plots {
+namespace muelle::plots::bending_springs {
 
 namespace {
 
@@ -76,4 +76,4 @@ Figure bending_springs() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::bending_springs

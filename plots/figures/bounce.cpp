@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-namespace muelle::plots {
+namespace muelle::plots::bounce {
 
 namespace {
 
@@ -76,4 +76,4 @@ Figure bounce() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::bounce

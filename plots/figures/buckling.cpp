@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace muelle::plots {
+namespace muelle::plots::buckling {
 
 namespace {
 
@@ -87,4 +87,4 @@ Figure buckling() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::buckling

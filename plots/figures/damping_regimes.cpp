@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace muelle::plots {
+namespace muelle::plots::damping_regimes {
 
 /// Slide "Amortiguamiento": the three regimes of a damped spring (hard case H02).
 Figure damping_regimes() {
@@ -20,4 +20,4 @@ Figure damping_regimes() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::damping_regimes

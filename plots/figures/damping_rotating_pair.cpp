@@ -1,6 +1,6 @@
 #include "tools.h"
 
-namespace muelle::plots {
+namespace muelle::plots::damping_rotating_pair {
 
 namespace {
 
@@ -62,4 +62,4 @@ Figure damping_rotating_pair() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::damping_rotating_pair

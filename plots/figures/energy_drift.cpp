@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace muelle::plots {
+namespace muelle::plots::energy_drift {
 
 namespace {
 
@@ -69,4 +69,4 @@ Figure energy_drift() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::energy_drift

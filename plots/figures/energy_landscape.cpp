@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace muelle::plots {
+namespace muelle::plots::energy_landscape {
 
 /// Slide "Energía Elástica": on which variables the energy depends. One end held, the other anywhere in a plane: a
 /// valley around a hill, all of its floor at the rest length.
@@ -64,4 +64,4 @@ Figure energy_landscape() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::energy_landscape

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
-namespace muelle::plots {
+namespace muelle::plots::equilibrium_forces {
 
 namespace {
 
@@ -120,4 +120,4 @@ Figure equilibrium_forces() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::equilibrium_forces

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace muelle::plots {
+namespace muelle::plots::friction_threshold {
 
 namespace {
 
@@ -54,4 +54,4 @@ Figure friction_threshold() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::friction_threshold

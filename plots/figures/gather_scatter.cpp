@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace muelle::plots {
+namespace muelle::plots::gather_scatter {
 
 namespace {
 
@@ -96,4 +96,4 @@ Figure gather_scatter() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::gather_scatter

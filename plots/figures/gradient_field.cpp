@@ -2,7 +2,7 @@
 #include "drawing.h"
 #include "tools.h"
 
-namespace muelle::plots {
+namespace muelle::plots::gradient_field {
 
 namespace {
 
@@ -101,4 +101,4 @@ Figure gradient_field() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::gradient_field

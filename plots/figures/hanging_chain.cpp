@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace muelle::plots {
+namespace muelle::plots::hanging_chain {
 
 namespace {
 
@@ -107,4 +107,4 @@ Figure hanging_chain() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::hanging_chain

@@ -1,7 +1,7 @@
 #include "engine/model/model_system.h"
 #include "figure_list.h"
 
-namespace muelle::plots {
+namespace muelle::plots::hookes_law_1d {
 
 namespace {
 
@@ -45,4 +45,4 @@ Figure hookes_law_1d() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::hookes_law_1d

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace muelle::plots {
+namespace muelle::plots::hookes_law_3d {
 
 namespace {
 
@@ -76,4 +76,4 @@ Figure hookes_law_3d() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::hookes_law_3d

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-namespace muelle::plots {
+namespace muelle::plots::long_time {
 
 namespace {
 
@@ -56,4 +56,4 @@ Figure long_time() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::long_time

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <map>
 
-namespace muelle::plots {
+namespace muelle::plots::mesh_to_springs {
 
 namespace {
 
@@ -72,4 +72,4 @@ Figure mesh_to_springs() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::mesh_to_springs

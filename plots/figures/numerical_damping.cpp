@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace muelle::plots {
+namespace muelle::plots::numerical_damping {
 
 /// Backward Euler damps by itself: a spring without any damping, swinging once a second.
 Figure numerical_damping() {
@@ -35,4 +35,4 @@ Figure numerical_damping() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::numerical_damping

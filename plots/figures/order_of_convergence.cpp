@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace muelle::plots {
+namespace muelle::plots::order_of_convergence {
 
 namespace {
 
@@ -66,4 +66,4 @@ Figure order_of_convergence() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::order_of_convergence

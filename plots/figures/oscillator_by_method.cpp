@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace muelle::plots {
+namespace muelle::plots::oscillator_by_method {
 
 namespace {
 
@@ -93,4 +93,4 @@ Figure oscillator_by_method() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::oscillator_by_method

@@ -1,7 +1,7 @@
 #include "engine/statics/equilibrium.h"
 #include "tools.h"
 
-namespace muelle::plots {
+namespace muelle::plots::penalty_depth {
 
 namespace {
 
@@ -57,4 +57,4 @@ Figure penalty_depth() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::penalty_depth

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace muelle::plots {
+namespace muelle::plots::projected_damping {
 
 namespace {
 
@@ -75,4 +75,4 @@ Figure projected_damping() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::projected_damping

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <cmath>
 
-namespace muelle::plots {
+namespace muelle::plots::property_mean_height {
 
 namespace {
 
@@ -90,4 +90,4 @@ Figure property_mean_height() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::property_mean_height

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <limits>
 
-namespace muelle::plots {
+namespace muelle::plots::rabbit {
 
 namespace {
 
@@ -60,4 +60,4 @@ Figure rabbit() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::rabbit

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace muelle::plots {
+namespace muelle::plots::stability_limit {
 
 namespace {
 
@@ -103,4 +103,4 @@ Figure stability_limit() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::stability_limit

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace muelle::plots {
+namespace muelle::plots::stability_regions {
 
 namespace {
 
@@ -59,4 +59,4 @@ Figure stability_regions() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::stability_regions

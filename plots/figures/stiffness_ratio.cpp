@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace muelle::plots {
+namespace muelle::plots::stiffness_ratio {
 
 namespace {
 
@@ -63,4 +63,4 @@ Figure stiffness_ratio() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::stiffness_ratio

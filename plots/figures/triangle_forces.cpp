@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace muelle::plots {
+namespace muelle::plots::triangle_forces {
 
 namespace {
 
@@ -68,4 +68,4 @@ Figure triangle_forces() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::triangle_forces

@@ -1,7 +1,7 @@
 #include "engine/integrators/catalogue.h"
 #include "tools.h"
 
-namespace muelle::plots {
+namespace muelle::plots::tunnelling {
 
 namespace {
 
@@ -83,4 +83,4 @@ Figure tunnelling() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::tunnelling

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <ctime>
 
-namespace muelle::plots {
+namespace muelle::plots::work_precision {
 
 namespace {
 
@@ -104,4 +104,4 @@ Figure work_precision() {
   return figure;
 }
 
-}  // namespace muelle::plots
+}  // namespace muelle::plots::work_precision

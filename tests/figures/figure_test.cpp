@@ -191,6 +191,23 @@ TEST(FigureOverAReference, CutsWhatDivergesAndSaysWhere) {
   EXPECT_EQ(drift.find("leaves"), std::string::npos);
 }
 
+// A run that explodes with changing signs passes through the picture again and again; markers draw no strokes.
+TEST(FigureOverAReference, EndsALineWhereItLeavesThePicture) {
+  const Numbers times = {0.0, 1.0, 2.0, 3.0, 4.0}, values = {0.0, 0.5, -40.0, 0.25, 900.0};
+  Figure reference("f", "A title", "time [s]");
+  reference.panel("x [m]").line("curve", times, {0, 1, 0, -1, 0});
+  Figure figure("f", "A title", "time [s]");
+  figure.panel("x [m]").line("curve", times, values);
+  const std::string line = figureText(figure.over(reference)).data;
+  EXPECT_NE(line.find("\n1 0.5\n2 -40\n"), std::string::npos) << line;
+  EXPECT_EQ(line.find("\n3 0.25\n"), std::string::npos) << line;
+  EXPECT_EQ(line.find("\n4 900\n"), std::string::npos) << line;
+  EXPECT_NE(line.find("\n3 -1\n4 0\n"), std::string::npos) << "the reference goes on:\n" << line;
+  Figure dots("f", "A title", "time [s]");
+  dots.panel("x [m]").points("curve", times, values);
+  EXPECT_NE(figureText(dots.over(reference)).data.find("\n3 0.25\n"), std::string::npos);
+}
+
 // What gnuplot, a shell or a format would take for more than text, and accents, Greek, powers and signs.
 TEST(FigureText, IsDrawnAsItIsWritten) {
   const TemporaryFolder folder(::testing::TempDir());

@@ -3,10 +3,10 @@
 
 #include "base/command_line.h"
 #include "base/errors.h"
-#include "figures/write.h"
 #include "lab/rest/rest_figure.h"
 #include "lab/rest/rest_scene.h"
 #include "lab/rest/rest_tables.h"
+#include "lab/run/result_files.h"
 #include "lab/run/shipped_scenes.h"
 
 #include <fmt/format.h>
@@ -31,15 +31,10 @@ struct Command {
 
 void writeResults(const Command& command, const Scene& scene, const SceneAtRest& rest) {
   if (!command.plot && !command.csv) return;
-  const fs::path folder = command.out.empty() ? fs::path("out") / scene.name : fs::path(command.out);
-  fs::create_directories(folder);
-  if (command.plot) {
-    const muelle::Figure figure = figureOf(scene, rest);
-    muelle::writeFigures({figure}, folder);
-    fmt::print("  {:<11} {}\n", "figure", (folder / (figure.id() + ".svg")).string());
-  }
+  const ResultFiles files(command.out, scene.name);
+  if (command.plot) files.draw({figureOf(scene, rest)});
   if (command.csv) {
-    for (const fs::path& file : writeTables(scene, rest, folder)) fmt::print("  {:<11} {}\n", "table", file.string());
+    for (const fs::path& file : writeTables(scene, rest, files.folder())) ResultFiles::nameTable(file);
   }
 }
 

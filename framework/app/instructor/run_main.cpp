@@ -5,8 +5,10 @@
 #include "base/errors.h"
 #include "base/text/printable.h"
 #include "engine/integrators/catalogue.h"
-#include "figures/write.h"
+#include "harness/trajectory.h"
 #include "lab/run/error_estimate.h"
+#include "lab/run/foresight.h"
+#include "lab/run/result_files.h"
 #include "lab/run/run_scene.h"
 #include "lab/run/scene_figures.h"
 #include "lab/run/shipped_scenes.h"
@@ -53,20 +55,20 @@ int listMethods() {
 
 void writeResults(const Command& command, const Scene& scene, const SceneRun& run) {
   if (!command.plot && !command.csv) return;
-  const fs::path folder = command.out.empty() ? fs::path("out") / scene.name : fs::path(command.out);
-  fs::create_directories(folder);
-  if (command.plot) {
-    const std::vector<muelle::Figure> figures = figuresOf(scene, run);
-    muelle::writeFigures(figures, folder);
-    for (const muelle::Figure& figure : figures) {
-      fmt::print("  {:<11} {}\n", "figure", (folder / (figure.id() + ".svg")).string());
-    }
-  }
+  const ResultFiles files(command.out, scene.name);
+  if (command.plot) files.draw(figuresOf(scene, run));
   if (command.csv) {
-    const fs::path file = folder / (scene.name + ".csv");
+    const fs::path file = files.folder() / (scene.name + ".csv");
     muelle::writeCsv(trajectoryOf(run), axesOf(run.system->model()), file);
-    fmt::print("  {:<11} {}\n", "table", file.string());
+    ResultFiles::nameTable(file);
   }
+}
+
+/// Where it takes long, before it begins.
+void sayWhatIsForeseen(const Scene& scene) {
+  const Foresight foresight = foresee(scene);
+  const double room = roomForOutputs(foresight, availableMemory());
+  if (foresight.isLong(room)) fmt::print(stderr, "{}: {}\n", scene.name, foreseenText(foresight, room));
 }
 
 int run(const Command& command) {
@@ -74,6 +76,7 @@ int run(const Command& command) {
   if (command.methods) return listMethods();
   if (command.scene.empty()) throw std::invalid_argument("SCENE is missing; ./muelle run --list names them");
   const Scene scene = applied(readScene(findScene(command.scene, shippedScenes())), command.overrides);
+  sayWhatIsForeseen(scene);
   SceneRun result = runScene(scene, scene.name);
   if (!command.noErrorEstimate && !result.result.failed()) {
     result.error = estimateError(scene, result, scene.name + ", error");

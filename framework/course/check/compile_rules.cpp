@@ -53,6 +53,15 @@ std::vector<std::string> sanitizedCompileFlags() {
   return flags;
 }
 
+std::vector<std::string> refilledCompileFlags() {
+  std::vector<std::string> flags = studentCompileFlags();
+  for (std::string& flag : flags) {
+    if (flag == "-ftrivial-auto-var-init=pattern") flag = "-ftrivial-auto-var-init=zero";
+    if (flag == "-DEIGEN_INITIALIZE_MATRICES_BY_NAN") flag = "-DEIGEN_INITIALIZE_MATRICES_BY_ZERO";
+  }
+  return flags;
+}
+
 std::vector<std::string> checkLinkFlags(bool sanitized) {
   std::vector<std::string> flags;
   if (*build_paths::linkerFlag != '\0') flags.emplace_back(build_paths::linkerFlag);

@@ -29,6 +29,11 @@ std::vector<std::string> studentCompileFlags();
 /// ends without return. No precompiled header fits these flags, and no macro tells a source that it is compiled so.
 std::vector<std::string> sanitizedCompileFlags();
 
+/// The same as the plain flags but for the fill of what was never written, which is zero (for local numbers see
+/// withFilledNumbers()). No precompiled header fits
+/// these, either.
+std::vector<std::string> refilledCompileFlags();
+
 /// How many times the processor and wall time of the plain build the second look may take, and how many times its
 /// stack.
 inline constexpr unsigned sanitizedFactor = 4;

@@ -1,5 +1,6 @@
 #include "course/check/crash_report.h"
 
+#include "base/process/signal_origin.h"
 #include "course/check/compile_rules.h"
 #include "course/check/fault_sentences.h"
 #include "course/check/thrown_sentence.h"
@@ -88,6 +89,7 @@ bool isStudents() { return isLoading || CallRecord::current() != nullptr; }
 }
 
 void onSignal(int signal, siginfo_t* info, void*) {
+  if (wasSentByAnother(*info)) sayAndEnd(struckSentence, "struck");
   const bool isSegment = signal == SIGSEGV || signal == SIGBUS;
   if (isSegment && isStackOverflow(info->si_addr, stackTop, stackLimit)) sayAndEnd(stackOverflowSentence);
   if (signal == SIGFPE && info->si_code != FPE_INTDIV) sayAndEnd(trapSentence);

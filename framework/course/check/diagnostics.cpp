@@ -73,6 +73,9 @@ bool isOfMemory(std::string_view option) {
   return std::ranges::any_of(kinds, [&](std::string_view kind) { return option.starts_with(kind); });
 }
 
+/// Those of what was never written.
+bool isOfUnwritten(std::string_view option) { return option.find("uninitialized") != std::string_view::npos; }
+
 enum class Kind { Error, Warning, Note };
 
 struct Statement {
@@ -302,6 +305,12 @@ bool warnsOfMemory(std::string_view compilerText, const std::vector<StudentFile>
   Reader reader(files);
   reader.read(compilerText);
   return std::ranges::any_of(reader.found(), [](const Diagnostic& d) { return isOfMemory(d.option); });
+}
+
+bool warnsOfUnwritten(std::string_view compilerText, const std::vector<StudentFile>& files) {
+  Reader reader(files);
+  reader.read(compilerText);
+  return std::ranges::any_of(reader.found(), [](const Diagnostic& d) { return isOfUnwritten(d.option); });
 }
 
 std::string showDiagnostics(const std::vector<Diagnostic>& diagnostics, const std::vector<StudentFile>& files,

@@ -41,6 +41,9 @@ std::string cutDiagnostics(std::string_view compilerText, const std::vector<Stud
 /// missing return: reason to build once more with sanitizers (second_look.h), since a warning alone costs nothing.
 bool warnsOfMemory(std::string_view compilerText, const std::vector<StudentFile>& files);
 
+/// Whether one of these tells of what was never written.
+bool warnsOfUnwritten(std::string_view compilerText, const std::vector<StudentFile>& files);
+
 /// The functions and variables that the linker's complaints are about, each once and without namespace, class,
 /// arguments: {"springForce", "main"}.
 std::vector<std::string> linkedNames(std::string_view linkerText);

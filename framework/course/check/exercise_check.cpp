@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstring>
+#include <map>
 #include <stdexcept>
 
 namespace muelle {
@@ -72,6 +73,10 @@ FailedTest testNamed(const std::string& fullName) {
   test.name = fullName.substr(dot + 1);
   return test;
 }
+
+/// True for a signal that a student's code draws by its own work. It can send itself none but abort()'s, since what
+/// does so is refused; a filter of system calls around check raises SIGSYS.
+bool isOwnSignal(int signal) { return signalSentence(signal) != nullptr || signal == SIGSYS; }
 
 /// Builds the report from what the program wrote.
 class ReportReader {
@@ -203,7 +208,7 @@ class ReportReader {
   static Outcome outcomeOf(const CommandResult& result) {
     if (!result.status.signalled) return Outcome::Crash;
     if (result.status.code == SIGXCPU) return Outcome::Cpu;
-    return result.status.code == SIGKILL ? Outcome::Killed : Outcome::Crash;
+    return isOwnSignal(result.status.code) ? Outcome::Crash : Outcome::Killed;
   }
 
   TestReport& report_;
@@ -242,8 +247,12 @@ struct TestProcess {
   }
 };
 
-bool isMachines(const CommandResult& result) {
-  return result.timedOut || (result.status.signalled && result.status.code == SIGKILL);
+/// Whether it was ended from outside, perhaps, or stopped: then it is run once more.
+bool isMachines(const TestProcess& process) {
+  const ExitStatus& status = process.result.status;
+  if (process.result.timedOut || (status.signalled && !isOwnSignal(status.code))) return true;
+  return std::ranges::find(process.lines, std::pair<std::string, std::string>("outcome", nameOf(Outcome::Struck))) !=
+         process.lines.end();
 }
 
 /// Runs the tests, and hands each process that it takes to `take`: what follows a test that ended its process runs in
@@ -258,11 +267,13 @@ void runTests(const std::vector<std::string>& command, Instrumented instrumented
   for (bool goesOn = true; goesOn;) {
     std::vector<std::string> words = command;
     if (!begun.empty()) words.push_back("--gtest_filter=-" + begun);
-    TestProcess process;
-    process.result = runStudentProgram(words, instrumented);
-    // From outside, perhaps, or stopped: once more.
-    if (isMachines(process.result)) process.result = runStudentProgram(words, instrumented);
-    process.lines = readReport(process.result.report);
+    const auto run = [&] {
+      CommandResult result = runStudentProgram(words, instrumented);
+      auto lines = readReport(result.report);
+      return TestProcess{std::move(result), std::move(lines)};
+    };
+    TestProcess process = run();
+    if (isMachines(process)) process = run();
     take(process);
     used += process.result.status.cpuSeconds;
     const std::string more = process.begun();
@@ -285,6 +296,64 @@ FailedTest confirmedIn(const TestProcess& process, const std::vector<StudentFile
   return found;
 }
 
+/// How the tests of all processes ended, by "Suite.Name"; of each the last call.
+class TestEnds {
+ public:
+  /// \param isFirst leaves out the tests of which it is known that they have met what was never written
+  explicit TestEnds(bool isFirst) : knows_(isFirst) {}
+
+  void take(const TestProcess& process) {
+    for (const auto& [kind, text] : process.lines) {
+      if (kind == "test") {
+        running_ = text;
+        passed_[running_] = false;  // until it says so
+      }
+      if (kind == "call" && !text.empty() && !running_.empty()) calls_[running_] = text;
+      if (kind == "outcome" && saysNothing(outcomeNamed(text))) passed_.erase(running_);
+      if (kind == "end" && text == "passed") passed_[running_] = true;
+    }
+    if (isMachines(process)) passed_.erase(running_);
+  }
+  std::optional<bool> passed(const std::string& test) const {
+    const auto found = passed_.find(test);
+    return found == passed_.end() ? std::nullopt : std::optional(found->second);
+  }
+  const std::map<std::string, bool>& all() const { return passed_; }
+  std::string call(const std::string& test) const {
+    const auto found = calls_.find(test);
+    return found == calls_.end() ? "" : found->second;
+  }
+
+ private:
+  /// What a limit or the machine has ended says nothing about the fill; what is known to be the fill needs no more.
+  bool saysNothing(Outcome outcome) const {
+    return outcome == Outcome::Cpu || outcome == Outcome::Struck || (knows_ && outcome == Outcome::NeverWritten);
+  }
+
+  std::map<std::string, bool> passed_;
+  std::map<std::string, std::string> calls_;
+  std::string running_;
+  bool knows_;
+};
+
+/// Runs the tests with the other fill of what was never written. One that passes with one fill and fails with the other
+/// has done so by luck.
+void lookAtOtherFill(const StudentProgram& program, const TestEnds& first, ReportReader& reader) {
+  if (program.refilled.empty()) return;
+  TestEnds second(false);
+  runTests({program.refilled.string(), "tests", "refilled"}, isInstrumented,
+           [&second](const TestProcess& process) { second.take(process); });
+  for (const auto& [name, passed] : first.all()) {
+    if (second.passed(name).value_or(passed) == passed) continue;
+    FailedTest found = testNamed(name);
+    found.call = passed ? second.call(name) : first.call(name);
+    const std::string function = found.call.substr(0, found.call.find('('));
+    found.messages.push_back(fmt::format("{} {}", function.empty() ? "your code" : function, luckSentence));
+    found.outcome = Outcome::NeverWritten;
+    reader.confirm(found);
+  }
+}
+
 /// Adds what the sanitizers find in the second build. How it ends otherwise says nothing: everything is dearer there.
 void lookAgain(const StudentProgram& program, ReportReader& reader) {
   if (program.sanitized.empty()) return;
@@ -303,6 +372,7 @@ Outcome checkOutcome(const StudentProgram& program, const TestReport& report) {
 TestReport runPublicTests(const StudentProgram& program) {
   TestReport report;
   ReportReader reader(report);
+  TestEnds ends(true);
   runTests({program.executable.string(), "tests"}, isInstrumented, [&](const TestProcess& process) {
     if (process.result.timedOut) {
       throw std::runtime_error(fmt::format(
@@ -312,8 +382,10 @@ TestReport runPublicTests(const StudentProgram& program) {
     }
     for (const auto& [kind, text] : process.lines) reader.take(kind, text);
     reader.close(process.result);
+    ends.take(process);
     report.output += process.result.out.substr(0, outputLimit - std::min(outputLimit, report.output.size()));
   });
+  lookAtOtherFill(program, ends, reader);
   lookAgain(program, reader);
   report.outcome = reader.outcome();
   return report;

@@ -17,7 +17,11 @@ inline constexpr const char* divisionSentence = "divided an integer by zero";
 inline constexpr const char* badMemorySentence = "used memory that is not its own: an index or a pointer is wrong";
 inline constexpr const char* nowhereSentence = "ran into nowhere: does every way through it return a value?";
 inline constexpr const char* abortSentence = "called abort(): an assertion failed or memory was damaged or used up";
+inline constexpr const char* struckSentence = "was ended by a signal from outside";
 inline constexpr const char* waitsSentence = "waits without end for something that never comes";
+
+inline constexpr const char* luckSentence =
+    "depends on memory to which nothing was written: give every variable a value before it is read";
 
 /// Goes in the place of a function's name before any test has called one.
 inline constexpr const char* loadingCode = "the code that runs when your file is loaded";

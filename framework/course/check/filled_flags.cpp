@@ -12,16 +12,19 @@ namespace muelle {
 namespace {
 
 /// Goes through the tokens with an eye on what each brace opens: only in a function may a statement be inserted.
-class FlagFiller {
+class Filler {
  public:
-  explicit FlagFiller(std::string_view source) : source_(source), tokens_(sourceTokens(source)) {}
+  /// \param types of the variables   \param byte what they are filled with
+  Filler(std::string_view source, std::vector<std::string_view> types, std::string_view byte)
+      : source_(source), types_(std::move(types)), byte_(byte), tokens_(sourceTokens(source)) {}
 
   std::string filled() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       if (tokens_[i] == "{") isCode_.push_back(opensCode(i));
       if (tokens_[i] == "}" && !isCode_.empty()) isCode_.pop_back();
       const bool startsStatement = i > 0 && isBreak(tokens_[i - 1]);
-      if (tokens_[i] == "bool" && startsStatement && !isCode_.empty() && isCode_.back()) fill(i + 1);
+      const bool isMeant = std::ranges::find(types_, tokens_[i]) != types_.end();
+      if (isMeant && startsStatement && !isCode_.empty() && isCode_.back()) fill(i + 1);
     }
     return result_ + std::string(source_.substr(copied_));
   }
@@ -46,7 +49,7 @@ class FlagFiller {
     std::size_t i = first;
     for (;; i += 2) {
       if (i + 1 >= tokens_.size() || !isNameCharacter(tokens_[i].front())) return;
-      statements += fmt::format(" __builtin_memset(&{}, 0xfe, 1);", tokens_[i]);
+      statements += fmt::format(" __builtin_memset(&{0}, {1}, sizeof {0});", tokens_[i], byte_);
       if (tokens_[i + 1] == ";") break;
       if (tokens_[i + 1] != ",") return;
     }
@@ -56,6 +59,8 @@ class FlagFiller {
   }
 
   std::string_view source_;
+  std::vector<std::string_view> types_;
+  std::string_view byte_;
   std::vector<std::string_view> tokens_;
   std::vector<bool> isCode_;  ///< of each open brace
   std::string result_;
@@ -64,6 +69,8 @@ class FlagFiller {
 
 }  // namespace
 
-std::string withFilledFlags(std::string_view source) { return FlagFiller(source).filled(); }
+std::string withFilledFlags(std::string_view source) { return Filler(source, {"bool"}, "0xfe").filled(); }
+
+std::string withFilledNumbers(std::string_view source) { return Filler(source, {"double", "float"}, "0x7f").filled(); }
 
 }  // namespace muelle

@@ -3,6 +3,7 @@
 ///
 ///     program tests          runs the tests; --gtest_filter=-SUITE.TEST:SUITE.TEST leaves some out
 ///     program tests slowly   the same, in the build with sanitizers (sanitizedFactor)
+///     program tests refilled the same, in the build with another fill of what was never written
 ///     program demo FOLDER    draws the demo's figures into the folder
 ///
 /// What happens goes to descriptor 3 as report lines (report_line.h), whatever the student's code prints or breaks.
@@ -169,7 +170,9 @@ void __glibcxx_assert_fail(const char*, int, const char* function, const char* c
 
 int main(int argc, char** argv) {
 #ifdef __GLIBC__
-  mallopt(M_PERTURB, 1);  // fresh memory is filled with 0xFE, as GCC fills local variables
+  // Fresh memory is filled with 0xFE, as GCC fills local variables, or with 0, as it does in the other build.
+  const bool isRefilled = argc == 3 && std::string(argv[2]) == "refilled";
+  mallopt(M_PERTURB, isRefilled ? 0xFF : 1);
 #endif
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // a crash must not swallow what was printed before it
   muelle::watchForCrashes();

@@ -71,6 +71,100 @@ bool isClosureThatLeaves(const TokenList& tokens, std::size_t i) {
   return tokens[i] == "return" && tokens[i + 1] == "[" && tokens[i + 2] == "&";
 }
 
+/// A declaration of variables: "double L, best = 0, s[3];". Finds those to which it gives no value.
+class Declaration {
+ public:
+  /// \param begin where a statement begins
+  Declaration(const TokenList& tokens, std::size_t begin) : tokens_(tokens), end_(begin) {
+    if (!isTyped(begin)) return;
+    for (bool goesOn = true; goesOn;) goesOn = takeOne();
+  }
+
+  const std::vector<std::string_view>& unwritten() const { return unwritten_; }
+  std::size_t end() const { return end_; }
+
+ private:
+  /// Goes over a type of at least one name; the name of the first variable is next. A type of the standard library
+  /// begins with a value, an array aside, and so does what is static.
+  bool isTyped(std::size_t begin) {
+    constexpr auto others = std::to_array<std::string_view>(
+        {"return", "using",        "typedef",   "goto",  "delete",    "throw",    "else",   "case",
+         "struct", "class",        "enum",      "union", "namespace", "template", "friend", "extern",
+         "static", "thread_local", "constexpr", "auto",  "operator",  "new"});
+    if (std::ranges::find(others, tokens_[begin]) != others.end()) return false;
+    if (tokens_[begin] == "std" && tokens_[begin + 3] != "array") return false;
+    while (isPartOfType(end_)) end_ = tokens_[end_] == "<" ? behind(end_, "<", ">") : end_ + 1;
+    if (end_ < begin + 2 || !tokens_.isName(end_ - 1)) return false;
+    --end_;
+    return tokens_.isName(begin) && tokens_[end_ - 1] != ":";
+  }
+  bool isPartOfType(std::size_t i) const {
+    return tokens_.isName(i) || tokens_[i] == ":" || tokens_[i] == "<" || tokens_[i] == "*";
+  }
+
+  /// Goes over one variable. True when another follows.
+  bool takeOne() {
+    while (tokens_[end_] == "*") ++end_;
+    if (!tokens_.isName(end_)) return false;
+    const std::string_view name = tokens_[end_++];
+    while (tokens_[end_] == "[") end_ = behind(end_, "[", "]");
+    const bool isLast = tokens_[end_] == ";";
+    if (isLast || tokens_[end_] == ",") unwritten_.push_back(name);
+    while (end_ < tokens_.size() && tokens_[end_] != "," && tokens_[end_] != ";") {
+      if (tokens_[end_] == "{" && tokens_[end_ - 1] == ")") return false;  // a function
+      end_ = tokens_[end_] == "(" ? behind(end_, "(", ")") : tokens_[end_] == "{" ? behind(end_, "{", "}") : end_ + 1;
+    }
+    return tokens_[end_++] == ",";
+  }
+
+  /// Behind the bracket that closes the one at `i`.
+  std::size_t behind(std::size_t i, std::string_view opening, std::string_view closing) const {
+    int depth = 0;
+    for (; i < tokens_.size(); ++i) {
+      if (tokens_[i] == opening) ++depth;
+      if (tokens_[i] == closing && --depth == 0) return i + 1;
+    }
+    return i;
+  }
+
+  const TokenList& tokens_;
+  std::size_t end_;
+  std::vector<std::string_view> unwritten_;
+};
+
+/// "L = ...", "f[0] = ...", "f << ...", "f.head<3>() = ...", "f.setZero()": a statement that begins with the name gives
+/// it a value, which does not depend on it.
+bool isWriting(const TokenList& tokens, std::size_t i) {
+  const std::string_view name = tokens[i];
+  if (tokens[i + 1] == "." && (tokens[i + 2].starts_with("set") || tokens[i + 2] == "fill")) return true;
+  std::size_t sign = i + 1;
+  const auto isSign = [&](std::size_t j) {
+    const bool isEqual = tokens[j] == "=" && std::string_view("=+-*/<>!").find(tokens[j - 1]) == std::string_view::npos;
+    return isEqual || (tokens[j] == "<" && tokens[j + 1] == "<");
+  };
+  while (sign < tokens.size() && tokens[sign] != ";" && !isSign(sign)) ++sign;
+  return isSign(sign) && !tokens.untilSemicolon(sign, [&](std::size_t j) { return tokens[j] == name; });
+}
+
+/// Whether the first that happens to a variable, in the block of its declaration, gives it a value.
+/// \param begin behind the declaration
+bool isWrittenFirst(const TokenList& tokens, std::string_view name, std::size_t begin) {
+  int depth = 0;
+  for (std::size_t i = begin; i < tokens.size() && depth >= 0; ++i) {
+    if (tokens[i] == "{") ++depth;
+    if (tokens[i] == "}") --depth;
+    if (tokens[i] != name || tokens[i - 1] == ".") continue;
+    const bool startsStatement = tokens[i - 1] == ";" || tokens[i - 1] == "{" || tokens[i - 1] == "}";
+    const bool startsLoop = tokens[i - 1] == "(" && tokens[i - 2] == "for";
+    // Vectors are mostly written entry by entry, in a loop.
+    const bool isOfEntry = tokens[i + 1] == "[" || tokens[i + 1] == "(";
+    const bool startsBody = tokens[i - 1] == ")" && isOfEntry;
+    const bool isSure = depth == 0 || isOfEntry;
+    return isSure && (startsStatement || startsLoop || startsBody) && isWriting(tokens, i);
+  }
+  return true;  // it is not used
+}
+
 bool isSuspicious(const StudentFile& file) {
   return mayHideWarnings(file.text) || mayOutliveTemporaries(file.text) || withFilledFlags(file.text) != file.text;
 }
@@ -95,6 +189,26 @@ bool mayOutliveTemporaries(std::string_view source) {
     if (isAutoOfTemporaries(tokens, i) || isReferenceFromCall(tokens, i) || isClosureThatLeaves(tokens, i)) return true;
   }
   return false;
+}
+
+bool mayReadUnwritten(std::string_view source) {
+  const TokenList tokens(source);
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const bool startsStatement = i == 0 || tokens[i - 1] == ";" || tokens[i - 1] == "{" || tokens[i - 1] == "}";
+    if (!startsStatement) continue;
+    const Declaration declaration(tokens, i);
+    for (const std::string_view name : declaration.unwritten()) {
+      if (!isWrittenFirst(tokens, name, declaration.end())) return true;
+    }
+  }
+  return false;
+}
+
+bool wantsOtherFill(const ToolRun& run, const std::vector<StudentFile>& files) {
+  const auto isSuspicious = [](const StudentFile& file) {
+    return mayHideWarnings(file.text) || mayReadUnwritten(file.text);
+  };
+  return run.wordsCut || warnsOfUnwritten(run.words, files) || std::ranges::any_of(files, isSuspicious);
 }
 
 bool wantsSecondLook(const ToolRun& run, const std::vector<StudentFile>& files) {

@@ -110,14 +110,16 @@ class Builder {
     const CompileVerdict linked = decided(view, scratch.path(), [&] { return link(objects, fresh); });
     if (!linked.passed()) program.diagnostics = linked.diagnostics;
     if (!take(linked, program)) return program;
-    const std::string hindrance = wantsSecondLook_ ? buildSanitized(view, scratch.path()) : "";
+    const std::string hindrance = wantsSecondLook_ ? buildAgain(view, scratch.path(), sanitized) : "";
     const bool looksTwice = wantsSecondLook_ && hindrance.empty();
+    const bool fillsTwice = wantsOtherFill_ && buildAgain(view, scratch.path(), refilled).empty();
     const std::string warnings = program.diagnostics + hindrance;
     // The stamp last: whoever reads it finds the program and the warnings that belong to it.
     fs::remove(stamp);
-    fs::remove(slot_ / "sanitized");
+    for (const Variant& variant : {sanitized, refilled}) fs::remove(slot_ / variant.name);
     fs::rename(fresh, slot_ / "program");
-    if (looksTwice) fs::rename(scratch.path() / "sanitized", slot_ / "sanitized");
+    if (looksTwice) fs::rename(scratch.path() / sanitized.name, slot_ / sanitized.name);
+    if (fillsTwice) fs::rename(scratch.path() / refilled.name, slot_ / refilled.name);
     writeFile(slot_ / "warnings", warnings);
     writeFile(stamp, program.fingerprint);
     return kept(program);
@@ -143,7 +145,8 @@ class Builder {
   StudentProgram kept(StudentProgram program) const {
     program.executable = slot_ / "program";
     program.diagnostics = readFile(slot_ / "warnings");
-    if (fs::exists(slot_ / "sanitized")) program.sanitized = slot_ / "sanitized";
+    if (fs::exists(slot_ / sanitized.name)) program.sanitized = slot_ / sanitized.name;
+    if (fs::exists(slot_ / refilled.name)) program.refilled = slot_ / refilled.name;
     return program;
   }
 
@@ -172,7 +175,7 @@ class Builder {
     const fs::path source = view.source("probe.cpp");
     const std::string object = (scratch / "probe.o").string();
     writeFile(source, probeSource(students_, contract_.filename().string()));
-    if (!runTool(compileCommand(view, source, object, false), limits_).succeeded) return false;
+    if (!runTool(compileCommand(view, source, object, nullptr), limits_).succeeded) return false;
     std::vector<std::string> command{build_paths::compiler, "-shared", object, "-o", (scratch / "probe.so").string()};
     for (const std::string& flag : checkLinkFlags(false)) command.push_back(flag);
     return runTool(command, limits_).succeeded;
@@ -193,23 +196,34 @@ class Builder {
     return (scratch / fs::path(file.name).stem()).string() + ending;
   }
 
-  /// \param sanitized the second build, whose flags fit no precompiled header
+  /// One more build, whose flags fit no precompiled header.
+  struct Variant {
+    const char* name;
+    std::vector<std::string> (*flags)();
+    std::string (*filled)(std::string_view source);
+    bool isSanitized;
+  };
+  static constexpr Variant sanitized{"sanitized", sanitizedCompileFlags, withFilledFlags, true};
+  static constexpr Variant refilled{"refilled", refilledCompileFlags, withFilledNumbers, false};
+
+  /// \param variant null: the plain build
   static std::vector<std::string> compileCommand(const CompileView& view, const fs::path& source,
-                                                 const std::string& object, bool sanitized) {
+                                                 const std::string& object, const Variant* variant) {
     std::vector<std::string> command{build_paths::compiler};
     const auto add = [&](const std::vector<std::string>& flags) {
       command.insert(command.end(), flags.begin(), flags.end());
     };
-    add(sanitized ? sanitizedCompileFlags() : studentCompileFlags());
-    add(view.includeFlags(!sanitized));
+    add(variant != nullptr ? variant->flags() : studentCompileFlags());
+    add(view.includeFlags(variant == nullptr));
     add(dependencyFlags(object));
     add({"-c", source.string(), "-o", object});
     return command;
   }
 
   CompileVerdict compile(const CompileView& view, const StudentFile& file, const std::string& object) {
-    const ToolRun run = runTool(compileCommand(view, view.source(file.name), object, false), limits_);
+    const ToolRun run = runTool(compileCommand(view, view.source(file.name), object, nullptr), limits_);
     if (run.succeeded && wantsSecondLook(run, students_)) wantsSecondLook_ = true;
+    if (run.succeeded && wantsOtherFill(run, students_)) wantsOtherFill_ = true;
     const CompileVerdict verdict = judgeCompilation(run, students_, limits_);
     if (!verdict.passed()) return verdict;
     std::string lists;
@@ -245,11 +259,11 @@ class Builder {
   }
 
   std::vector<std::string> linkCommand(const std::vector<std::string>& objects, const fs::path& executable,
-                                       bool sanitized) const {
+                                       bool isSanitized) const {
     std::vector<std::string> command{build_paths::compiler};
     for (const std::string& object : objects) command.push_back(object);
     for (const std::string& part : readParts(readFile(parts_))) command.push_back(part);
-    for (const std::string& flag : checkLinkFlags(sanitized)) command.push_back(flag);
+    for (const std::string& flag : checkLinkFlags(isSanitized)) command.push_back(flag);
     command.insert(command.end(), {"-o", executable.string()});
     return command;
   }
@@ -259,25 +273,27 @@ class Builder {
     return judgeLink(run, students_, readFile(contract_), contract_.filename().string(), limits_);
   }
 
-  /// The source, or a copy where flags that nobody sets are filled, under its name.
-  static fs::path filledCopy(const CompileView& view, const StudentFile& file, const fs::path& scratch) {
-    const std::string text = withFilledFlags(file.text);
+  /// The source, or a copy where variables that nobody sets are filled, under its name.
+  static fs::path filledCopy(const CompileView& view, const StudentFile& file, const fs::path& scratch,
+                             const Variant& variant) {
+    const std::string text = variant.filled(file.text);
     if (text == file.text) return view.source(file.name);
-    fs::create_directories(scratch / "filled");
-    writeFile(scratch / "filled" / file.name, text);
-    return scratch / "filled" / file.name;
+    const fs::path folder = scratch / (std::string(variant.name) + "_source");
+    fs::create_directories(folder);
+    writeFile(folder / file.name, text);
+    return folder / file.name;
   }
 
   /// Why it does not come about, which costs nobody anything; "" when it does.
-  std::string buildSanitized(const CompileView& view, const fs::path& scratch) const {
+  std::string buildAgain(const CompileView& view, const fs::path& scratch, const Variant& variant) const {
     std::vector<std::string> objects;
     for (const StudentFile& file : students_) {
-      objects.push_back(objectOf(file, scratch, "_sanitized.o"));
-      const fs::path source = filledCopy(view, file, scratch);
-      const ToolRun run = runTool(compileCommand(view, source, objects.back(), true), limits_);
+      objects.push_back(objectOf(file, scratch, fmt::format("_{}.o", variant.name).c_str()));
+      const fs::path source = filledCopy(view, file, scratch, variant);
+      const ToolRun run = runTool(compileCommand(view, source, objects.back(), &variant), limits_);
       if (!run.succeeded) return sayNoSecondLook(run, students_);
     }
-    const ToolRun run = runTool(linkCommand(objects, scratch / "sanitized", true), limits_);
+    const ToolRun run = runTool(linkCommand(objects, scratch / variant.name, variant.isSanitized), limits_);
     return run.succeeded ? "" : sayNoSecondLook(run, students_);
   }
 
@@ -289,6 +305,7 @@ class Builder {
   fs::path slot_;
   CompileLimits limits_;
   bool wantsSecondLook_ = false;
+  bool wantsOtherFill_ = false;
   std::string refusal_;  ///< why a source is not compiled at all; "" when all are
   std::string note_;
 };

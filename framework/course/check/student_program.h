@@ -28,6 +28,8 @@ struct StudentProgram {
   std::string message;                ///< why, in one line: the grader's words
   std::string note;                 ///< what was done to read its text: "spring_3d.cpp: converted from UTF-16"; else ""
   std::filesystem::path sanitized;  ///< the second build, which a warning of its kinds starts; else empty
+  /// The same with another fill of what was never written, where there is reason for it.
+  std::filesystem::path refilled;
   std::vector<StudentFile> students;  ///< its sources
 };
 

@@ -126,15 +126,18 @@ class FrictionMemory {
     return mode_ == mode::closed ? farAway : limit / slider_.k;
   }
 
-  /// The slider as it is; for a frozen slip one without a spring whose damper is that strong that it slips at any
-  /// speed.
+  /// The slider as it is; for a frozen slip one that slips at any speed: of a strong damper, which takes the direction
+  /// of the velocity, and past a halt within the step, which is an event, of a strong spring, which goes on in that of
+  /// the last commit. (Turned by the velocity there, too, friction would push on what moves aside: a step of an
+  /// implicit method that meets the halt would have no solution that Newton finds.)
   Slider<D> sliderAt(const Meeting<D>& m, double N) const {
     const Vector along = m.alongSurface(m.w);
     const double speed = along.norm();
     if (mode_ != mode::closed || grip_ != slips || speed == 0.0) return slider_;
-    // Past a halt within the step the force goes on as it was: the halt is an event.
     const double limit = slider_.mu * std::fmax(N, 0.0);
-    return {slider_.mu, 0.0, (along.dot(stretch(m)) < 0.0 ? -2.0 : 2.0) * limit / speed};
+    const Vector xi = m.alongSurface(stretch(m));
+    if (along.dot(xi) < 0.0) return {slider_.mu, 2.0 * limit / xi.norm(), 0.0};
+    return {slider_.mu, 0.0, 2.0 * limit / speed};
   }
 
   const Slider<D>& slider_;

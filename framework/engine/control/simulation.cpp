@@ -49,7 +49,7 @@ Simulation::Simulation(const DynamicalSystem& system, Integrator& method, State 
       adaptive_(method.info().adaptive && !options_.fixedStep),
       state_(checked(system, method.info(), std::move(start), options_)),
       stepper_(system, method, options_.compensated, state_.x.size()),
-      planner_(system, options_, adaptive_, options_.locateEvents, state_.t),
+      planner_(system, options_, adaptive_, adaptive_ || options_.locateEvents, state_.t),
       modes_(system, method, stepper_, options_.locateEvents),
       monitor_(monitorOf(system, options_)) {
   method_.resetWork();
@@ -66,7 +66,7 @@ void Simulation::begin() {
     warn(fmt::format("{} does not give its increments: compensated summation removes none of its rounding",
                      method_.info().name));
   }
-  if (!modes_.frozen() && !declaredTimes(system_, state_.t, planner_.end()).empty()) {
+  if (!modes_.frozen() && !adaptive_ && !declaredTimes(system_, state_.t, planner_.end()).empty()) {
     warn("events are not located: the force jumps at declared times, which a step may pass over");
   }
   startErrorControl();

@@ -18,7 +18,7 @@ struct StepOptions {
   long long mostForceEvaluations = std::numeric_limits<long long>::max();  ///< the same for force evaluations
   std::vector<double> outputTimes = {};  ///< exact times to be hit by a step [s], ascending
   /// Integrate to declared times and to zeros of guards, and restart there. At thin obstacles steps are cut in any
-  /// case.
+  /// case, and adaptive methods end steps at declared times in any case: at rest nothing else tells them of a pulse.
   bool locateEvents = true;
   bool compensated = false;  ///< compensated summation of the state and of the time (long runs)
   double explosion = 1e5;    ///< stop when the energy exceeds this multiple of its natural scale

@@ -32,7 +32,7 @@ void Newton::prepare(const DynamicalSystem& system) {
   system_ = &system;
   hasMatrix_ = false;
   const auto n = static_cast<Eigen::Index>(system.size());
-  for (Point* point : {&here_, &trial_}) {
+  for (Point* point : {&here_, &trial_, &probe_}) {
     for (Vector* v : {&point->w, &point->X, &point->V, &point->F, &point->R}) v->setZero(n);
   }
   for (Vector* v : {&step_, &rest_, &floor_, &absolute_, &scratch_}) v->setZero(n);
@@ -107,7 +107,7 @@ bool Newton::direction(std::string& failure) {
 }
 
 /// step_ = -R'^-1 R by GMRES with the last factorisation on the right, R' by differences; to a hundredth, which is
-/// enough for the next point.
+/// enough for the next point. Evaluates into probe_: the point that a search has accepted stays in trial_.
 bool Newton::krylovDirection() {
   constexpr int most = 40;
   const Eigen::Index n = here_.R.size();
@@ -125,9 +125,9 @@ bool Newton::krylovDirection() {
     ++work_->solves;
     if (!solver_.solve(basis[row], step).empty()) break;
     const double difference = way / step.lpNorm<Eigen::Infinity>();
-    evaluate(here_.w + difference * step, trial_);
-    if (!trial_.finite) break;
-    Vector image = (trial_.R - here_.R) / difference;
+    evaluate(here_.w + difference * step, probe_);
+    if (!probe_.finite) break;
+    Vector image = (probe_.R - here_.R) / difference;
     steps.push_back(step);
     for (int i = 0; i <= j; ++i) {
       hessenberg(i, j) = image.dot(basis[static_cast<std::size_t>(i)]);
@@ -281,6 +281,16 @@ bool Newton::downhill(std::string& failure) {
   return newDirection(Form::Projected, failure);
 }
 
+/// Goes from here_ along a direction of GMRES, which may lead further than what the search before has `found`; where it
+/// does not, that stays.
+Newton::Search Newton::searchKrylov(Search found) {
+  if (!krylovDirection()) return found;
+  if (found == Search::Failed) return searchResidual();
+  std::swap(trial_, probe_);
+  if (searchResidual() == Search::Failed || trial_.size > probe_.size) std::swap(trial_, probe_);
+  return Search::Accepted;
+}
+
 /// Goes to a better point (trial_) along the direction found, or along others where that one does not lead there.
 Newton::Search Newton::search() {
   const double before = here_.size;
@@ -288,7 +298,7 @@ Newton::Search Newton::search() {
     const Search found = searchResidual();
     const bool poor = found == Search::Failed || trial_.size > 0.3 * before;
     const bool askKrylov = stage_->force && poor && !atFloor(here_, 64.0);
-    return askKrylov && krylovDirection() ? searchResidual() : found;
+    return askKrylov ? searchKrylov(found) : found;
   }
   Search found = searchEnergy(here_.R.dot(step_));
   if (found == Search::Accepted || form_ != Form::Symmetric) return found;

@@ -94,6 +94,7 @@ class Newton {
   bool krylovDirection();
   Search searchEnergy(double slope);
   Search searchResidual();
+  Search searchKrylov(Search found);
   /// Whether the search follows the incremental potential; else the residual.
   bool followsPotential() const { return system_->potential() != nullptr && !stage_->force; }
   std::string setOut(Eigen::VectorXd& w);
@@ -114,6 +115,7 @@ class Newton {
   LinearSolver solver_;
   SystemMatrix J_;
   Point here_, trial_;
+  Point probe_;  ///< beside here_, for GMRES's differences
   Eigen::VectorXd step_, rest_, floor_, absolute_, scratch_;
   double relative_ = 0.0;
   Form form_ = Form::Exact;  ///< of the matrix that the next direction is asked of

@@ -50,6 +50,7 @@ class RestSearch {
   void placeAtTime();
   void search();
   bool standsAlready();
+  bool isUphill(const std::vector<double>& x, double rounding) const;
   bool fromStart(long long mostFactorisations);
   bool fromForceDensities();
   bool fromSofter();
@@ -144,8 +145,22 @@ bool RestSearch::polish() {
   return imbalance.atRoundOff;
 }
 
+/// Whether the change of shape from the start to these positions [m], unless it is rounding, goes against the forces at
+/// the start: uphill, where nothing goes that is let go.
+bool RestSearch::isUphill(const std::vector<double>& x, double rounding) const {
+  std::vector<double> forces(x.size());
+  still_.potential()->conservativeForce(start_.t, start_.x, start_.z, forces);
+  double work = 0.0, moved = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    work += forces[i] * (x[i] - start_.x[i]);
+    moved = std::max(moved, std::abs(x[i] - start_.x[i]));
+  }
+  return work < 0.0 && moved > rounding;
+}
+
 /// Whether the scene's start is an equilibrium but for a small change of shape: Newton's method ends near it. Of a
-/// saddle that change has to lie across the way down, or the scene stands beside it and falls.
+/// saddle that change has to lie across the ways down, of which there may be many, or the scene stands beside it and
+/// falls: a wire drawn a little too short is pressed straight, and its weight bends it.
 bool RestSearch::standsAlready() {
   auto form = std::make_unique<TensionForm>(system_, start_);
   const Imbalance imbalance = form->solve(glancing, false);
@@ -165,7 +180,8 @@ bool RestSearch::standsAlready() {
   compact.gather(x, end);
   compact.gather(start_.x, begin);
   for (std::size_t i = 0; i < end.size(); ++i) down += curvature.along[i] * (end[i] - begin[i]);
-  if (curvature.smallest >= -curvature.roundOff || std::abs(down) <= 0.01 * size) return true;
+  if (curvature.smallest >= -curvature.roundOff) return true;
+  if (std::abs(down) <= 0.01 * size && !isUphill(x, 1e-9 * size)) return true;
   form_.reset();
   result_.state = start_;
   result_.tensions.clear();

@@ -27,42 +27,7 @@ class RemoteFunction<Result(Args...)> {
   constexpr explicit RemoteFunction(const char* name) : name_(name) {}
 
   /// Throws SubmissionFault when the student's code does not return a value of the right shape.
-  Result operator()(Args... args) const {
-    // Copied before the call: an out-parameter changes, a description outlives the caller's objects.
-    const auto given = std::make_shared<const std::tuple<std::decay_t<Args>...>>(args...);
-    Request request;
-    request.function = name_;
-    request.id = wire::functionId(name_);
-    request.describe = [name = name_, given] {
-      return std::apply([name](const auto&... arg) { return printCall(name, arg...); }, *given);
-    };
-    wire::Writer writer;
-    (encodeArgument(writer, request, args), ...);
-    request.arguments = std::move(writer.bytes());
-
-    Session& session = Session::current();
-    const std::vector<std::byte> reply = session.call(request);
-    try {
-      wire::Reader reader(reply);
-      if constexpr (std::is_void_v<Result>) {
-        (decodeOut<Args>(reader, args), ...);
-        reader.expectEnd();
-        remember(given, {}, args...);
-      } else {
-        using wire::decode;
-        std::decay_t<Result> result;
-        decode(reader, result);
-        (decodeOut<Args>(reader, args), ...);
-        reader.expectEnd();
-        std::vector<double> outcome;
-        appendNumbers(outcome, result);
-        remember(given, std::move(outcome), args...);
-        return result;
-      }
-    } catch (const wire::WireError& error) {
-      session.fail(SubmissionFault(std::string(name_) + " returned something else than its type: " + error.what()));
-    }
-  }
+  Result operator()(Args... args) const;
 
  private:
   using History = CallHistory<Result(Args...)>;
@@ -107,9 +72,61 @@ class RemoteFunction<Result(Args...)> {
   const char* name_;
 };
 
+template <class Result, class... Args>
+Result RemoteFunction<Result(Args...)>::operator()(Args... args) const {
+  // Copied before the call: an out-parameter changes, a description outlives the caller's objects.
+  const auto given = std::make_shared<const std::tuple<std::decay_t<Args>...>>(args...);
+  Request request;
+  request.function = name_;
+  request.id = wire::functionId(name_);
+  request.describe = [name = name_, given] {
+    return std::apply([name](const auto&... arg) { return printCall(name, arg...); }, *given);
+  };
+  wire::Writer writer;
+  (encodeArgument(writer, request, args), ...);
+  request.arguments = std::move(writer.bytes());
+
+  Session& session = Session::current();
+  const std::vector<std::byte> reply = session.call(request);
+  try {
+    wire::Reader reader(reply);
+    if constexpr (std::is_void_v<Result>) {
+      (decodeOut<Args>(reader, args), ...);
+      reader.expectEnd();
+      remember(given, {}, args...);
+    } else {
+      using wire::decode;
+      std::decay_t<Result> result;
+      decode(reader, result);
+      (decodeOut<Args>(reader, args), ...);
+      reader.expectEnd();
+      std::vector<double> outcome;
+      appendNumbers(outcome, result);
+      remember(given, std::move(outcome), args...);
+      return result;
+    }
+  } catch (const wire::WireError& error) {
+    session.fail(SubmissionFault(std::string(name_) + " returned something else than its type: " + error.what()));
+  }
+}
+
 }  // namespace muelle::grader
 
+// The calls of an exercise are compiled in one source of its hidden tests, by the first of these defines, and the
+// others link to it, by the second. With neither a source compiles what it calls.
+#if defined(MUELLE_REMOTE_CALLS_HERE)
+#define MUELLE_REMOTE_CALL_(function)                                      \
+  namespace submission {                                                   \
+  [[gnu::used]] static constexpr auto muelleCallOf_##function =            \
+      &::muelle::grader::RemoteFunction<decltype(::function)>::operator(); \
+  }
+#elif defined(MUELLE_REMOTE_CALLS_ELSEWHERE)
+#define MUELLE_REMOTE_CALL_(function) extern template class ::muelle::grader::RemoteFunction<decltype(::function)>;
+#else
+#define MUELLE_REMOTE_CALL_(function)
+#endif
 #define MUELLE_REMOTE_FUNCTION_(function)                                                                \
+  MUELLE_REMOTE_CALL_(function)                                                                          \
   namespace oracle {                                                                                     \
   decltype(::function) function;                                                                         \
   }                                                                                                      \

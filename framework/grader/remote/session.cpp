@@ -127,8 +127,8 @@ void Session::noteFault(const SubmissionFault& fault, const std::string& functio
 void Session::startWorker() {
   if (worker_) return;
   try {
-    worker_ = std::make_unique<WorkerProcess>(*setup_.sandbox, WorkerHost{setup_.host, setup_.sanitised},
-                                              setup_.submission, setup_.limits);
+    worker_ = std::make_unique<WorkerProcess>(
+        *setup_.sandbox, WorkerHost{setup_.host, setup_.sanitised, setup_.refilled}, setup_.submission, setup_.limits);
   } catch (const SubmissionFault& fault) {
     const bool endless = fault.outcome() == Outcome::Cpu || std::string_view(fault.what()).ends_with(waitsSentence);
     if (endless) timedOutFunction_ = loading;

@@ -38,6 +38,7 @@ class Session {
     std::uint64_t seed = 0;  ///< of the choice of repeated calls
     SessionLimits limits;
     bool sanitised = false;  ///< `host` is the one linked with AddressSanitizer
+    bool refilled = false;   ///< the submission is the one with the other fill; the heap has it, too
   };
 
   explicit Session(Setup setup);

@@ -13,7 +13,6 @@
 #include <poll.h>
 #include <array>
 #include <csignal>
-#include <cstring>
 
 namespace muelle::grader {
 
@@ -37,6 +36,10 @@ std::vector<VisibleFile> systemLibraries(bool sanitised) {
   return files;
 }
 
+SubmissionFault killedFromOutside(const std::string& function, int signal) {
+  return SubmissionFault(fmt::format("{} was killed from outside (signal {})", function, signal), Outcome::Killed);
+}
+
 /// A signal that only the code itself can have caused, or that comes from outside. \param output of the process
 SubmissionFault signalFault(const std::string& function, int signal, const std::string& output) {
   const auto fault = [&function](const std::string& what, Outcome outcome) {
@@ -52,11 +55,8 @@ SubmissionFault signalFault(const std::string& function, int signal, const std::
                    Outcome::Forbidden);
     case SIGXCPU:
       return fault("used up its processor time", Outcome::Cpu);
-    case SIGXFSZ:
-    case SIGPIPE:
-      return fault(fmt::format("ended with signal {} ({})", signal, strsignal(signal)), Outcome::Crash);
     default:  // the worker's filter lets it send itself none of these
-      return fault(fmt::format("was killed from outside (signal {})", signal), Outcome::Killed);
+      return killedFromOutside(function, signal);
   }
 }
 
@@ -79,10 +79,11 @@ SubmissionFault deathFault(const std::string& who, const std::string& cause) {
     return SubmissionFault(who + " " + what, outcome, isConfirmed);
   };
   if (cause == "stack overflow") return fault(stackOverflowSentence, Outcome::Crash);
-  if (cause == "illegal instruction") return fault(nowhereSentence, Outcome::Crash);
+  if (cause == "illegal instruction" || cause == worker::traceTrap) return fault(nowhereSentence, Outcome::Crash);
   if (cause == "floating-point trap") return fault(trapSentence, Outcome::Crash);
+  if (cause == worker::vainWrite) return fault("wrote where nothing can be written", Outcome::Crash);
   // By its own word: a submission may say so, too. Whoever judges tries once more.
-  if (cause == worker::signalFromOutside) return fault("was ended by a signal from outside", Outcome::Struck);
+  if (cause == worker::signalFromOutside) return fault(struckSentence, Outcome::Struck);
   if (cause == "segmentation fault" || cause == "bus error") return fault(badMemorySentence, Outcome::Crash);
   if (cause == "arithmetic exception") return fault(divisionSentence, Outcome::Crash);
   if (cause.starts_with(worker::uncaughtException)) {
@@ -104,12 +105,14 @@ WorkerProcess::WorkerProcess(const Sandbox& sandbox, const WorkerHost& host, con
     : request_(makePipe()),
       reply_(makePipe()),
       out_(makePipe()),
-      largestMemory_(host.sanitised ? limits.sanitisedMemory : 0) {
+      largestMemory_(host.sanitised ? limits.sanitisedMemory : 0),
+      hasProcessBetween_(sandbox.choice() == SandboxChoice::Bubblewrap) {
   ignoreClosedPipes();  // a submission that dies between two calls must not take the test process with it
   constexpr auto slack = std::chrono::seconds(3);  // our own watch comes first
   const auto cpuSeconds = std::chrono::ceil<std::chrono::seconds>(limits.load + limits.criterion + slack);
   Confinement confinement;
   confinement.command = {"./host", "./submission.so", std::to_string(cpuSeconds.count())};
+  if (host.refilled) confinement.command.emplace_back(worker::refilledFlag);
   confinement.files = systemLibraries(host.sanitised);
   confinement.files.push_back({"/host", host.program, "", true});
   confinement.files.push_back({"/submission.so", submission, "", true});
@@ -300,7 +303,9 @@ void WorkerProcess::reportEnd(const std::string& function) {
   drainOutput();
   const auto status = child_.wait(Clock::now() + std::chrono::seconds(2));
   if (!status) throw SubmissionFault(function + " closed its connection instead of returning", Outcome::Crash);
-  // The sandbox passes a signal on as 128 + signal; the worker's filter lets no code choose such a status.
+  // The sandbox passes a signal on as 128 + signal; the worker's filter lets no code choose such a status. No code of a
+  // student's runs in the sandbox's own process: what ends that is from outside.
+  if (status->signalled && hasProcessBetween_) throw killedFromOutside(function, status->code);
   if (status->signalled) throw signalFault(function, status->code, output_);
   constexpr int everyBit = 255;  // exit(-1)
   if (status->code > 128 && status->code != everyBit) throw signalFault(function, status->code - 128, output_);

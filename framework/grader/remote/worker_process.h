@@ -23,6 +23,7 @@ SubmissionFault deathFault(const std::string& who, const std::string& cause);
 struct WorkerHost {
   std::filesystem::path program;
   bool sanitised = false;  ///< linked with AddressSanitizer: no limit of its address space, memory bounded by us
+  bool refilled = false;   ///< fresh memory holds zeros, not the usual fill
 };
 
 /// How long a student's code may take. Limits of processor time cost points; those of wall time are wide, and passing
@@ -104,6 +105,7 @@ class WorkerProcess {
   ProcessWatch watch_;
   Clock::time_point lastLook_;
   std::size_t largestMemory_ = 0;  ///< [bytes] resident; 0: the worker bounds itself
+  bool hasProcessBetween_;         ///< our child is the sandbox's, not the host
   std::string output_;
   bool outputCut_ = false;
 };

@@ -124,7 +124,7 @@ Explanation explain(const Criterion& criterion, const GradedExercise& exercise) 
   if (explanation.state == State::Passed) return explanation;
   const Verdict& verdict = *verdictOf(criterion, exercise);
   const Manifest& manifest = exercise.manifest;
-  if (verdict.outcome == Outcome::NeverWritten && !verdict.isConfirmed)  // else the fault says it, with its line
+  if (verdict.outcome == Outcome::NeverWritten && verdict.fault.empty())  // else that says it
     explanation.neverWritten =
         line(fmt::format("{} {}", verdict.neverWritten.empty() ? "it" : verdict.neverWritten, neverWrittenSentence()));
   if (manifest.feedback != FeedbackLevel::Criterion) explanation.mistakes = mistakesOf(verdict, manifest);

@@ -21,6 +21,7 @@ using Status = BuildOutcome::Status;
 constexpr const char* outcomeSuffix = ".build";
 constexpr const char* objectSuffix = ".so";
 constexpr const char* sanitisedSuffix = ".asan.so";
+constexpr const char* refilledSuffix = ".refilled.so";
 
 std::vector<StudentFile> studentFiles(const Sources& sources) {
   std::vector<StudentFile> files;
@@ -118,6 +119,8 @@ class Builder {
       object.plain = whole(objectSuffix, document.at("plain").get<std::string>());
       const std::string sanitised = document.at("sanitised");
       if (!sanitised.empty()) object.sanitised = whole(sanitisedSuffix, sanitised);
+      const std::string refilled = document.at("refilled");
+      if (!refilled.empty()) object.refilled = whole(refilledSuffix, refilled);
       return object;
     } catch (const std::exception&) {
       return std::nullopt;
@@ -131,14 +134,19 @@ class Builder {
     return file;
   }
 
-  /// \param plain, sanitised the objects' digests; "" where there is none
-  void write(const BuildOutcome& outcome, const std::string& plain = "", const std::string& sanitised = "") const {
+  /// The objects' digests; "" where there is none.
+  struct Digests {
+    std::string plain, sanitised, refilled;
+  };
+
+  void write(const BuildOutcome& outcome, const Digests& digests = {}) const {
     const nlohmann::json document{{"status", static_cast<int>(outcome.status)},
                                   {"outcome", std::string(nameOf(outcome.outcome))},
                                   {"message", outcome.message},
                                   {"diagnostics", outcome.diagnostics},
-                                  {"plain", plain},
-                                  {"sanitised", sanitised}};
+                                  {"plain", digests.plain},
+                                  {"sanitised", digests.sanitised},
+                                  {"refilled", digests.refilled}};
     store_.write(key_, outcomeSuffix, document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
   }
 
@@ -152,27 +160,41 @@ class Builder {
   BuiltObject keep(const Compilation& compilation, const CompileVerdict& verdict) const {
     BuiltObject object;
     object.outcome = {Status::Built, "", verdict.diagnostics, Outcome::Passed};
-    const std::string plain = store(objectSuffix, compilation);
-    std::string sanitised;
+    Digests digests;
+    digests.plain = store(objectSuffix, compilation);
     object.plain = store_.file(key_, objectSuffix);
-    if (wantsSecondLook(toolRun(compilation, true), studentFiles(sources_))) sanitised = addSanitised(object);
-    write(object.outcome, plain, sanitised);
+    const ToolRun run = toolRun(compilation, true);
+    const std::vector<StudentFile> files = studentFiles(sources_);
+    if (wantsSecondLook(run, files)) digests.sanitised = addSanitised(object);
+    if (wantsOtherFill(run, files)) digests.refilled = addRefilled(object);
+    write(object.outcome, digests);
     return object;
   }
 
   /// What the plain build was good for stays, whatever becomes of this one: its failure is nobody's fault.
   /// \return the digest of the kept object; "" where there is none
   std::string addSanitised(BuiltObject& object) const {
-    Compilation second = compile(workplace_, manifest_, sources_, sandbox_, Build::Sanitised);
-    if (second.stage == Compilation::Stage::Elsewhere || second.endedFromOutside) {  // perhaps by the machine
-      second = compile(workplace_, manifest_, sources_, sandbox_, Build::Sanitised);
-    }
+    const Compilation second = compileAgain(Build::Sanitised);
     if (second.stage != Compilation::Stage::Done) {
       object.outcome.diagnostics += sayNoSecondLook(toolRun(second, false), studentFiles(sources_));
       return "";
     }
     object.sanitised = store_.file(key_, sanitisedSuffix);
     return store(sanitisedSuffix, second);
+  }
+
+  /// The same; a file that does without the first fill does without this one, unless the machine is in the way.
+  std::string addRefilled(BuiltObject& object) const {
+    const Compilation second = compileAgain(Build::Refilled);
+    if (second.stage != Compilation::Stage::Done) return "";
+    object.refilled = store_.file(key_, refilledSuffix);
+    return store(refilledSuffix, second);
+  }
+
+  Compilation compileAgain(Build build) const {
+    Compilation second = compile(workplace_, manifest_, sources_, sandbox_, build);
+    const bool isMachines = second.stage == Compilation::Stage::Elsewhere || second.endedFromOutside;
+    return isMachines ? compile(workplace_, manifest_, sources_, sandbox_, build) : second;
   }
 
   BuiltObject refuse(const CompileVerdict& verdict) const {

@@ -10,6 +10,7 @@ struct BuiltObject {
   BuildOutcome outcome;
   std::filesystem::path plain;      ///< what the criteria are judged with
   std::filesystem::path sanitised;  ///< for the second look; empty when nothing asks for one
+  std::filesystem::path refilled;   ///< the same with another fill; empty when nothing asks for it
 };
 
 /// What one attempt to build says.

@@ -63,15 +63,24 @@ void addPlainPrelude(Confinement& confinement) {
   confinement.files.push_back({"/prelude/prelude.h.gch", {}, "none", false});
 }
 
+bool fitsNoPrelude(Build build) { return build == Build::Sanitised || build == Build::Refilled; }
+
+std::vector<std::string> compileFlags(Build build) {
+  if (build == Build::Sanitised) return sanitizedCompileFlags();
+  return build == Build::Refilled ? refilledCompileFlags() : studentCompileFlags();
+}
+
 Confinement confinementOf(const Workplace& workplace, const Manifest& manifest, const Sources& sources,
                           SandboxChoice sandbox, Build build) {
   Confinement confinement;
   confinement.files = compilersView(workplace, manifest);
   for (const auto& [name, content] : sources) {
-    const std::string text = build == Build::Sanitised ? withFilledFlags(content) : content;
+    std::string text = content;
+    if (build == Build::Sanitised) text = withFilledFlags(content);
+    if (build == Build::Refilled) text = withFilledNumbers(content);
     confinement.files.push_back({"/submission/" + name, {}, text, false});
   }
-  if (build == Build::Sanitised) {
+  if (fitsNoPrelude(build)) {
     addPlainPrelude(confinement);
   } else {
     addPrelude(workplace, confinement);
@@ -137,8 +146,7 @@ std::string compileScript(const Workplace& workplace, const Sources& sources, Sa
         "../submission/{} "
         "-o {} || exit {}\n",
         compilesWithClang() ? ToolWatch::command() : "", compiler, ToolWatch::compilerFlag(),
-        joined(isSanitised ? sanitizedCompileFlags() : studentCompileFlags()), joined(dependencyFlags(object)), name,
-        object, compileFailed);
+        joined(compileFlags(build)), joined(dependencyFlags(object)), name, object, compileFailed);
     script += fmt::format("cat {} >&3 || exit {}\n", joined(dependencyLists(object)), symbolsFailed);
   }
   return script + fmt::format(

@@ -24,6 +24,7 @@ enum class Build {
   Plain,
   Probe,      ///< a known good file that defines no function of the contract: linked without the glue
   Sanitised,  ///< with AddressSanitizer and a check for missing returns: for the second look
+  Refilled,   ///< with another fill of what was never written
 };
 
 /// The files that a student's file may include, beside the system's and Eigen.

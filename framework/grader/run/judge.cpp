@@ -1,6 +1,7 @@
 #include "grader/run/judge.h"
 
 #include "base/file.h"
+#include "course/check/fault_sentences.h"
 #include "grader/record.h"
 
 #include <fmt/format.h>
@@ -19,17 +20,20 @@ constexpr const char* recordSuffix = ".json";
 constexpr const char* curvesSuffix = ".curves";
 
 /// Which of the candidate's objects a test process loads.
-enum class Look { First, Second };
+enum class Look { First, Second, OtherFill };
 
 std::vector<std::string> commandFor(const Workplace& workplace, const Candidate& candidate, const GradeOptions& options,
                                     Look look) {
   const bool isSecond = look == Look::Second;
+  const fs::path& object = isSecond                  ? candidate.object.sanitised
+                           : look == Look::OtherFill ? candidate.object.refilled
+                                                     : candidate.object.plain;
   std::vector<std::string> command = {
       workplace.hiddenProgram(candidate.manifest.topic).string(),
       "--topic",
       candidate.manifest.topic,
       "--worker",
-      (isSecond ? candidate.object.sanitised : candidate.object.plain).string(),
+      object.string(),
       "--host",
       (isSecond ? workplace.sanitisedHost : workplace.host).string(),
       "--core-locks",
@@ -42,6 +46,7 @@ std::vector<std::string> commandFor(const Workplace& workplace, const Candidate&
       std::to_string(inputSeed(candidate.manifest, candidate.sources, options)),
   };
   if (isSecond) command.emplace_back("--sanitised");
+  if (look == Look::OtherFill) command.emplace_back("--refilled");
   return command;
 }
 
@@ -99,6 +104,40 @@ Verdict withSecondLook(const Workplace& workplace, const Candidate& candidate, c
   return second.isConfirmed || isMachines ? second : first;
 }
 
+/// The call of the first test that failed in one look and passed in the other, "" when it is not known; nullopt when
+/// there is none. What ended the calls of one look ended them for all tests: then both are compared as a whole.
+std::optional<std::string> luckyCall(const Verdict& one, const Verdict& other) {
+  const auto failure = [](const Verdict& verdict) {
+    const auto test = std::ranges::find(verdict.tests, false, &TestOutcome::passed);
+    return test == verdict.tests.end() ? "" : test->call;
+  };
+  if (one.passed() != other.passed()) return failure(one.passed() ? other : one);
+  if (!one.fault.empty() || !other.fault.empty()) return std::nullopt;
+  for (const TestOutcome& test : one.tests) {
+    const auto same = std::ranges::find(other.tests, test.name, &TestOutcome::name);
+    if (same != other.tests.end() && same->passed != test.passed) return test.passed ? same->call : test.call;
+  }
+  return std::nullopt;
+}
+
+/// Where a test passes with one fill of what was never written and fails with the other, it depends on that, and has
+/// passed by luck.
+Verdict withOtherFill(const Workplace& workplace, const Candidate& candidate, const Criterion& criterion,
+                      const GradeOptions& options, Verdict first) {
+  const bool isKnown = first.outcome == Outcome::NeverWritten;
+  if (candidate.object.refilled.empty() || isKnown || isDoubtful(first)) return first;
+  const Verdict second = judgeOnce(workplace, candidate, criterion, options, Look::OtherFill);
+  if (isDoubtful(second)) return second.outcome == Outcome::Cpu ? first : second;
+  const std::optional<std::string> call = luckyCall(first, second);
+  if (!call) return first;
+  const std::string function = call->substr(0, call->find('('));
+  first.outcome = Outcome::NeverWritten;
+  first.fault = fmt::format("{} {}", function.empty() ? "your code" : function, luckSentence);
+  first.neverWritten.clear();
+  first.misconceptions.clear();
+  return first;
+}
+
 std::vector<std::string> readSvgs(const fs::path& folder) {
   std::vector<fs::path> files;
   if (fs::exists(folder)) {
@@ -151,7 +190,8 @@ void keepVerdict(const Workplace& workplace, const Store& store, const Candidate
 Verdict judgeCriterion(const Workplace& workplace, const Store& store, const Candidate& candidate,
                        const Criterion& criterion, const GradeOptions& options) {
   const Verdict first = judgeOnce(workplace, candidate, criterion, options, Look::First);
-  Verdict verdict = withSecondLook(workplace, candidate, criterion, options, first);
+  Verdict verdict = withSecondLook(workplace, candidate, criterion, options,
+                                   withOtherFill(workplace, candidate, criterion, options, first));
   if (isDoubtful(verdict)) return verdict;
   try {
     keepVerdict(workplace, store, candidate, criterion, options, verdict);

@@ -22,7 +22,8 @@ std::optional<Verdict> keptVerdict(const Workplace& workplace, const Store& stor
 
 /// Runs one criterion's hidden tests in a process of their own and returns its record; keeps it when it is certain.
 /// A missing or unreadable record is our fault. After the second look (when the candidate has a sanitised object) the
-/// verdict is the worse of both.
+/// verdict is the worse of both; where it depends on the fill of memory (when there is an object with another), it is
+/// Outcome::NeverWritten.
 Verdict judgeCriterion(const Workplace& workplace, const Store& store, const Candidate& candidate,
                        const Criterion& criterion, const GradeOptions& options);
 

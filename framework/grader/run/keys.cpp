@@ -32,7 +32,7 @@ std::string digestOf(const fs::path& file) {
 /// What runs a verdict's test, its entry in the manifest included.
 std::string testingKey(const Workplace& workplace, const Manifest& manifest, const std::string& what,
                        const std::string& objectKey, const GradeOptions& options) {
-  return digest({"verdict 2", objectKey, what, digestOf(workplace.hiddenProgram(manifest.topic)),
+  return digest({"verdict 3", objectKey, what, digestOf(workplace.hiddenProgram(manifest.topic)),
                  digestOf(workplace.host), digestOf(workplace.sanitisedHost), options.seed});
 }
 
@@ -52,7 +52,7 @@ std::string objectKey(const Workplace& workplace, const Manifest& manifest, cons
                       SandboxChoice sandbox) {
   std::string headers;
   for (const VisibleFile& header : compilersView(workplace, manifest)) headers += digestOf(header.source);
-  return digest({"object 3", manifest.topic, digestOfSources(sources), headers,
+  return digest({"object 4", manifest.topic, digestOfSources(sources), headers,
                  compileScript(workplace, sources, sandbox), compilerIdentity(workplace), toText(sandbox),
                  workplace.judgesSymbols ? symbolRules() : "unjudged"});
 }

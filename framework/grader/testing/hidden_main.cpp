@@ -38,6 +38,7 @@ struct Options {
   std::uint64_t seed = 0;
   int wallMilliseconds = 30'000;
   bool sanitised = false;
+  bool refilled = false;
 };
 
 /// For the tests of the course: the suites of this program and the mistakes that it can name.
@@ -90,6 +91,7 @@ Options readOptions(int argc, char** argv) {
   program.option("--sandbox", options.sandbox, "");
   program.option("--wall-milliseconds", options.wallMilliseconds, "");
   program.flag("--sanitised", options.sanitised, "");
+  program.flag("--refilled", options.refilled, "");
   program.option("--seed", options.seed, "").required();
   program.run(argc, argv);
   return options;
@@ -141,7 +143,8 @@ int run(int argc, char** argv) {
   SessionLimits limits;
   limits.callWall = limits.loadWall = limits.startWall = std::chrono::milliseconds(options.wallMilliseconds);
   if (options.sanitised) limits = limits.forSanitised();
-  Session session({sandbox.get(), options.host, options.worker, options.seed, limits, options.sanitised});
+  Session session(
+      {sandbox.get(), options.host, options.worker, options.seed, limits, options.sanitised, options.refilled});
   Session::setCurrent(&session);
   muelle::setTestSeed(options.seed);
 

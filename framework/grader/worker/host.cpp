@@ -4,6 +4,7 @@
 ///
 /// Whatever happens in this process after the load is the student's word; the test process believes none of it.
 
+#include "base/process/signal_origin.h"
 #include "grader/wire/frame.h"
 #include "grader/worker/death.h"
 #include "grader/worker/filter.h"
@@ -96,12 +97,9 @@ class Port : public worker::HostPort {
   _exit(failure);
 }
 
-/// What another process has sent; only abort() sends one from within.
-bool isFromOutside(const siginfo_t& info) { return info.si_code <= 0 && info.si_pid != getpid(); }
-
 /// A fault near the stack pointer is a stack that has outgrown its limit.
 void onFault(int signal, siginfo_t* info, void* context) {
-  if (isFromOutside(*info)) die(worker::signalFromOutside.data());
+  if (muelle::wasSentByAnother(*info)) die(worker::signalFromOutside.data());
   const auto* machine = static_cast<const ucontext_t*>(context);
   const auto address = reinterpret_cast<std::uintptr_t>(info->si_addr);
   const auto stackPointer = static_cast<std::uintptr_t>(machine->uc_mcontext.gregs[REG_RSP]);
@@ -115,10 +113,13 @@ void onFault(int signal, siginfo_t* info, void* context) {
   die(signal == SIGSEGV ? "segmentation fault" : signal == SIGBUS ? "bus error" : "arithmetic exception");
 }
 
-/// abort() and an instruction that there is not. It does not return: the filter allows no way back from a handler.
+/// abort(), an instruction that there is not, and what ends a process that writes where nobody reads or nothing fits.
+/// It does not return: the filter allows no way back from a handler.
 void onEnd(int signal, siginfo_t* info, void*) {
-  if (isFromOutside(*info)) die(worker::signalFromOutside.data());
+  if (muelle::wasSentByAnother(*info)) die(worker::signalFromOutside.data());
   if (signal == SIGILL) die("illegal instruction");
+  if (signal == SIGTRAP) die(worker::traceTrap.data());
+  if (signal == SIGPIPE || signal == SIGXFSZ) die(worker::vainWrite.data());
   raise(signal);  // the handler is gone: the process ends as abort() would have ended it
 }
 
@@ -151,7 +152,7 @@ void installHandlers() {
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGSYS}) sigaction(signal, &action, nullptr);
   action.sa_sigaction = onEnd;
   action.sa_flags |= static_cast<int>(SA_NODEFER);
-  for (const int signal : {SIGABRT, SIGILL}) sigaction(signal, &action, nullptr);
+  for (const int signal : {SIGABRT, SIGILL, SIGTRAP, SIGPIPE, SIGXFSZ}) sigaction(signal, &action, nullptr);
   std::set_terminate(onTerminate);
 }
 
@@ -168,8 +169,8 @@ void switchFilters() {
 
 /// Memory from new and malloc holds the same senseless bytes at every run, so that reading what was never written gives
 /// no right answer by chance. AddressSanitizer has an allocator of its own.
-void fillFreshMemory() {
-  if (!worker::isSanitised) mallopt(M_PERTURB, 0x01);  // fresh memory gets the complement, 0xfe
+void fillFreshMemory(bool withZeros) {
+  if (!worker::isSanitised) mallopt(M_PERTURB, withZeros ? 0xff : 0x01);  // fresh memory gets the complement
 }
 
 void serveForEver(worker::ServeFunction serve) {
@@ -184,7 +185,7 @@ void serveForEver(worker::ServeFunction serve) {
         send(wire::FrameKind::Result, currentNonce, request.header.target, result.data(), result.size());
         break;
       case worker::Served::Threw:
-        sendText(wire::FrameKind::Thrown, currentNonce, text);
+        sendText(wire::FrameKind::Thrown, currentNonce, text.substr(0, longestText));
         break;
       case worker::Served::Unknown:
         sendText(wire::FrameKind::LoadError, currentNonce, "the submission does not serve this function");
@@ -198,7 +199,8 @@ void serveForEver(worker::ServeFunction serve) {
 void muelle::grader::worker::dieSaying(const char* cause) { die(cause); }
 
 int main(int argc, char** argv) {
-  if (argc != 3) return failure;
+  const bool isRefilled = argc == 4 && std::string_view(argv[3]) == worker::refilledFlag;
+  if (argc != 3 && !isRefilled) return failure;
   std::string file;  // absolute: the loader would ask for the working folder, which the filter forbids
   try {
     file = std::filesystem::absolute(argv[1]).string();
@@ -208,7 +210,7 @@ int main(int argc, char** argv) {
     worker::applyLimits(static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10)));
     installHandlers();
     worker::callWhenMapped(switchFilters);
-    fillFreshMemory();
+    fillFreshMemory(isRefilled);
     worker::installLoadingFilter();
   } catch (const std::exception& error) {
     sendText(wire::FrameKind::HostError, 0, error.what());

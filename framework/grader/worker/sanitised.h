@@ -9,6 +9,9 @@ inline constexpr bool isSanitised = true;
 inline constexpr bool isSanitised = false;
 #endif
 
+/// The host's argument with which fresh memory holds zeros, for a submission that is built with the other fill.
+inline constexpr const char* refilledFlag = "refilled";
+
 /// How the host tells what a sanitizer found from other causes of death: "sanitizer heap-buffer-overflow".
 inline constexpr const char* sanitiserFinding = "sanitizer ";
 

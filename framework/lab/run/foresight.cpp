@@ -31,11 +31,33 @@ double modelBytes(const Model& model) {
                                        model.dihedrals.size() + model.areas.size() + model.volumes.size());
 }
 
-/// Blocks of dimension x dimension numbers: one a node, two for each pair of nodes that a spring joins.
-double matrixBytes(const Model& model) {
+/// The numbers of a matrix: blocks of dimension x dimension, one a node, two for each pair of nodes that a spring
+/// joins.
+double matrixNumbers(const Model& model) {
   const double blocks = static_cast<double>(model.nodes.size()) + 2.0 * static_cast<double>(model.springs.size());
-  constexpr double copies = 2.0;  // the matrix itself and, never sparser, its factor
-  return copies * blocks * model.dimension * model.dimension * number;
+  return blocks * model.dimension * model.dimension;
+}
+
+bool isDamped(const Model& model) {
+  return std::ranges::any_of(model.springs,
+                             [](const ModelSpring& s) { return s.dRelative > 0.0 || s.dProjected > 0.0; }) ||
+         std::ranges::any_of(model.nodes, [](const ModelNode& node) { return node.drag > 0.0; }) ||
+         std::ranges::any_of(model.obstacles,
+                             [](const Obstacle& o) { return o.material.d > 0.0 || o.material.mu > 0.0; });
+}
+
+double matrixBytes(const Model& model) {
+  // The matrix itself and, never sparser, its factor; with damping those of stiffness and damping besides.
+  const double copies = isDamped(model) ? 4.0 : 2.0;
+  return copies * matrixNumbers(model) * number;
+}
+
+/// What stability() takes of a method that has a limit: the matrix with its indices and the plan of where elements go,
+/// and 40 vectors of a Krylov space; with damping a second matrix, and the space is one of positions and velocities.
+double lookBytes(const Model& model, double unknowns) {
+  const double parts = isDamped(model) ? 2.0 : 1.0;
+  constexpr double vectors = 42.0, withIndex = number + sizeof(int);
+  return parts * vectors * unknowns * number + (1.0 + parts) * matrixNumbers(model) * withIndex;
 }
 
 /// "1.2 GiB".
@@ -68,6 +90,26 @@ double Foresight::kept(double room) const {
   return std::min(outputs.value_or(2.0), most);  // an unknown number is at least start and end
 }
 
+double Foresight::peak(double room) const { return system() + std::max(look, kept(room) * output); }
+
+bool Foresight::isLong(double room) const {
+  // A spring's force and a node's share of a step take about 20 ns together for each coordinate of a node in a surface.
+  constexpr double aStep = 20e-9, patience = 5.0, muchMemory = 256.0 * 1024.0 * 1024.0;
+  return steps.value_or(outputs.value_or(0.0)) * unknowns * aStep > patience || peak(room) > muchMemory;
+}
+
+std::string foreseenText(const Foresight& foresight, double room) {
+  std::string text = "foreseen: ";
+  text += foresight.steps ? "about " + countText(*foresight.steps, "step") : "as many steps as the tolerance asks for";
+  if (foresight.outputs) {
+    text += ", " + countText(*foresight.outputs, "output");
+    if (foresight.kept(room) < *foresight.outputs) {
+      text += fmt::format(" (thinned to {} or fewer)", countText(std::floor(foresight.kept(room)), "output"));
+    }
+  }
+  return text + ", about " + sizeText(foresight.peak(room));
+}
+
 Foresight foresee(const Scene& scene) {
   const Model& model = scene.model;
   const MethodInfo& info = methodInfo(scene.method);
@@ -83,6 +125,8 @@ Foresight foresee(const Scene& scene) {
   foresight.model = modelBytes(model);
   foresight.state = number * coordinates * (6.0 + info.stages);  // x and v before, after and as told; a force a stage
   if (info.implicit) foresight.matrices = matrixBytes(model);
+  const bool hasLimit = info.stability == Stability::Limited || info.stability == Stability::Never;
+  if (hasLimit) foresight.look = lookBytes(model, foresight.unknowns);
   return foresight;
 }
 

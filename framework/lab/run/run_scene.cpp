@@ -92,7 +92,7 @@ std::string energyLine(const EnergyBalance& balance) {
                                  balance.start, balance.end, balance.lowest, balance.highest);
   if (balance.scale > 0.0) {
     const double most = std::max(balance.highest, -balance.lowest) / balance.scale;
-    text += most < 10.0 ? fmt::format(" (up to {:.2g} % of", 100.0 * most) : fmt::format(" (up to {:.2g} times", most);
+    text += most < 0.995 ? fmt::format(" (up to {:.2g} % of", 100.0 * most) : fmt::format(" (up to {:.2g} times", most);
     text += fmt::format(" the scene's {:.3g} J)", balance.scale);
   }
   if (balance.fate == EnergyFate::KeptOrLost) return text + "; it may be lost, not gained";

@@ -8,8 +8,13 @@ namespace {
 TEST(FilledFlags, OfAFunctionGetAValueThatIsNone) {
   EXPECT_EQ(
       withFilledFlags("int f() {\n  bool a; // here\n  if (x) { bool b, c;\n }\n}\n"),
-      "int f() {\n  bool a; __builtin_memset(&a, 0xfe, 1); // here\n  if (x) { bool b, c; __builtin_memset(&b, 0xfe, "
-      "1); __builtin_memset(&c, 0xfe, 1);\n }\n}\n");
+      "int f() {\n  bool a; __builtin_memset(&a, 0xfe, sizeof a); // here\n  if (x) { bool b, c; __builtin_memset(&b, "
+      "0xfe, sizeof b); __builtin_memset(&c, 0xfe, sizeof c);\n }\n}\n");
+}
+
+TEST(FilledNumbers, OfAFunctionAreLarge) {
+  EXPECT_EQ(withFilledNumbers("double f() { double L; bool b; double k = 2; return L; }"),
+            "double f() { double L; __builtin_memset(&L, 0x7f, sizeof L); bool b; double k = 2; return L; }");
 }
 
 TEST(FilledFlags, OthersStayAsTheyAre) {

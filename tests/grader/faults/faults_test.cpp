@@ -120,7 +120,7 @@ TEST_F(Fault, AWorkerThatIsKilled) {
 
 /// By hand, or by a stranger's script: the process tells that it did not do so itself, which is believed once.
 TEST_F(Fault, AWorkerThatIsStruckOnceIsTriedAgainAtOnce) {
-  for (const int signal : {SIGSEGV, SIGABRT}) {
+  for (const int signal : {SIGSEGV, SIGABRT, SIGTRAP, SIGXCPU, SIGTERM}) {
     for (const Sources* sources : {&honest(), &wrong()}) {
       const Hunter hunter("host", signal, 1);
       expectUndisturbed(grade(*sources), *sources);

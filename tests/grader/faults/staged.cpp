@@ -80,9 +80,10 @@ void StagedFault::expectNoScore(const GradedExercise& graded) {
 std::map<std::string, double> StagedFault::calmPoints(const Sources& sources) const {
   static std::map<Sources, std::map<std::string, double>> known;
   if (!known.contains(sources)) {
-    const TemporaryFolder elsewhere(fs::temp_directory_path());
+    // Kept for all tests of this build, each of which is a process: it is the same for every one of them, and what is
+    // kept is found by all that decides it.
     Workplace workplace = Workplace::ofThisBuild();
-    workplace.kept = elsewhere.path();
+    workplace.kept = workplace.binary / "calm";
     GradeOptions options;
     options.seed = "staged faults";
     options.withCurves = false;

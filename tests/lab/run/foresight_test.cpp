@@ -3,6 +3,10 @@
 #include "support/scene_text.h"
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <functional>
 #include <limits>
 
 namespace muelle::lab {
@@ -68,6 +72,54 @@ TEST(Foresight, LetsARunGoOnThatHasRoomForFewerOutputs) {
   EXPECT_FALSE(run.result.failed());
   EXPECT_LT(run.result.trajectory.t.size(), 5001u) << "10001 outputs do not fit; every second one is dropped, or more";
   EXPECT_EQ(run.result.trajectory.t.back(), 1.0);
+}
+
+/// The most memory [byte] that a process of its own has at any time while it does something.
+double peakOf(const std::function<void()>& work) {
+  const pid_t child = fork();
+  if (child == 0) {
+    work();
+    _exit(0);
+  }
+  int status = 0;
+  rusage usage{};
+  EXPECT_EQ(wait4(child, &status, 0, &usage), child);
+  EXPECT_EQ(status, 0);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+// 10^4 nodes; what a process has before it does anything is not the run's.
+TEST(Foresight, TellsThePeakOfTheMemoryWithinAFactorOfOneAndAHalf) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "the sanitizer keeps memory of its own";
+#endif
+  for (const char* method : {"velocity_verlet", "backward_euler"}) {
+    for (const double damping : {0.0, 1e-3}) {
+      Scene scene = cloth(method, "output_interval = 0.001\n");
+      for (ModelSpring& spring : scene.model.springs) spring.dRelative = damping;
+      scene.duration = 0.003;
+      const double nothing = peakOf([] {});
+      const double measured = peakOf([&scene] { runScene(scene); }) - nothing;
+      const Foresight foresight = foresee(scene);
+      // The scene itself is there before.
+      const double scenes = 0.25 * foresight.model;
+      const double told = foresight.peak(roomForOutputs(foresight, 1e12)) - scenes;
+      EXPECT_GT(told, measured / 1.5) << method << " " << damping << " " << measured / MiB << " MiB";
+      EXPECT_LT(told, measured * 1.5) << method << " " << damping << " " << measured / MiB << " MiB";
+    }
+  }
+}
+
+TEST(Foresight, SaysWhatALongRunWillTakeAndOfAShortOneThatItIsShort) {
+  const Foresight foresight = foresee(cloth("velocity_verlet", "output_interval = 0.1\n"));
+  const double room = roomForOutputs(foresight, 1e12);
+  EXPECT_THAT(foreseenText(foresight, room), HasSubstr("foreseen: about 10,000 steps, 101 outputs, about "));
+  EXPECT_TRUE(foresight.isLong(room)) << "10^4 steps of 3 10^4 unknowns";
+  Scene shorter = cloth("velocity_verlet", "output_interval = 0.1\n");
+  shorter.duration = 0.1;
+  EXPECT_FALSE(foresee(shorter).isLong(room));
+  EXPECT_THAT(foreseenText(foresee(cloth("dop853", "tolerance = 1e-6\n")), room),
+              HasSubstr("as many steps as the tolerance asks for, about "));
 }
 
 TEST(Foresight, ReadsWhatTheSystemSaysIsAvailable) {

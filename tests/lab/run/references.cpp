@@ -1,13 +1,12 @@
 #include "references.h"
 
+#include "engine/control/step_planner.h"
 #include "engine/integrators/catalogue.h"
 
 #include <algorithm>
 #include <array>
 #include <boost/numeric/odeint/integrate/integrate_times.hpp>
-#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
-#include <boost/numeric/odeint/stepper/generation.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
 #include <cmath>
 #include <Eigen/Dense>
 
@@ -108,8 +107,16 @@ Trajectory byOdeint(const Scene& scene, const ModelSystem& system, const State& 
   };
   std::vector<double> all = {0.0};
   all.insert(all.end(), times.begin(), times.end());
-  odeint::integrate_times(odeint::make_controlled(1e-13, 1e-13, odeint::runge_kutta_fehlberg78<Numbers>()), slope, y,
-                          all.begin(), all.end(), 1e-4, record);
+  // Steps end where a force jumps, too.
+  std::vector<double> ends = declaredTimes(system, 0.0, scene.duration);
+  ends.insert(ends.end(), all.begin(), all.end());
+  std::ranges::sort(ends);
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  const auto recordTimes = [&](const Numbers& at, double t) {
+    if (std::ranges::binary_search(all, t)) record(at, t);
+  };
+  odeint::integrate_times(odeint::bulirsch_stoer<Numbers>(1e-13, 1e-13), slope, y, ends.begin(), ends.end(), 1e-4,
+                          recordTimes);
   return trajectory;
 }
 
@@ -122,15 +129,19 @@ bool rubs(const Model& model) {
 Trajectory finestRun(const Scene& scene, const ModelSystem& system, const State& start,
                      const std::vector<double>& times) {
   if (system.rods().empty()) return byTolerance("dop853", 1e-13, scene, system, start, times);
-  std::array<Trajectory, 3> runs;
+  const double steps = scene.duration / *scene.step;
+  double finest = 256.0;
+  while (finest < 2048.0 && 2.0 * finest * steps < 1e5) finest *= 2.0;
+  std::array<Trajectory, 4> runs;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    runs[i] = byRattle(*scene.step / (32.0 * std::pow(2.0, static_cast<double>(i))), scene, system, start, times);
+    runs[i] = byRattle(*scene.step * std::pow(2.0, 3.0 - static_cast<double>(i)) / finest, scene, system, start, times);
     if (runs[i].stop.stopped) return runs[i];
   }
-  extrapolate(4.0, runs[0], runs[1]);
-  extrapolate(4.0, runs[1], runs[2]);
-  extrapolate(16.0, runs[1], runs[2]);
-  return runs[2];
+  for (std::size_t level = 1; level < runs.size(); ++level) {
+    const double ratio = std::pow(4.0, static_cast<double>(level));
+    for (std::size_t i = runs.size() - 1; i >= level; --i) extrapolate(ratio, runs[i - 1], runs[i]);
+  }
+  return runs.back();
 }
 
 Trajectory secondRun(const Scene& scene, const ModelSystem& system, const State& start,

@@ -183,6 +183,20 @@ TEST(Summary, NamesMethodErrorEnergyAndWork) {
   EXPECT_THAT(text, HasSubstr("101 force evaluations"));
 }
 
+/// "1e+02 %" is no number that one reads.
+TEST(Summary, CountsEnergiesBeyondTheScaleInTimes) {
+  Scene scene = oscillator();
+  SceneRun result = runScene(scene);
+  result.energy.scale = 2.0;
+  result.energy.highest = 0.0;
+  for (const auto& [lost, said] :
+       {std::pair(1.98, "(up to 99 % of the scene's 2 J)"), std::pair(1.999, "(up to 1 times the scene's 2 J)"),
+        std::pair(2.6, "(up to 1.3 times the scene's 2 J)")}) {
+    result.energy.lowest = -lost;
+    EXPECT_THAT(summaryOf(scene, result), HasSubstr(said));
+  }
+}
+
 TEST(Failure, OfARunIsReportedAndLeavesNoEstimate) {
   Scene scene = oscillator();
   scene.step = 0.3;  // h omega = 3

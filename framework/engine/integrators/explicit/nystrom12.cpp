@@ -6,20 +6,14 @@ namespace muelle::engine {
 namespace {
 
 MethodInfo nystrom12Info() {
-  MethodInfo info;
+  MethodInfo info = nystromInfo();
   info.id = "nystrom12";
   info.name = "Runge-Kutta-Nystroem 12(10)";
   info.order = 12;
   info.stages = 17;
   // Apart from an interval of 1.2e-7 about h omega = pi, where an oscillator grows by at most 5.7e-8 a step.
   info.imaginaryLimit = 8.326201053660949152;
-  info.adaptive = true;
-  info.conservesMomentum = true;
-  info.needs.velocityFreeForce = true;
-  info.realLimit = 0.0;  // no damping can act on it
-  info.formula =
-      "x'' = A(t, x): stages of the positions alone; x+ = x + h v + h^2 sum b_i A_i, v+ = v + h sum bv_i A_i";
-  info.source = "Dormand, El-Mikkawy and Prince, IMA J. Numer. Anal. 7 (1987) 423-430: RKN12(10)17M";
+  info.source += ": RKN12(10)17M";
   info.remark =
       "undamped, smooth scenes to the last digits: steps of a sixth of a period at round-off; the reference of choice "
       "there. Events and kinks waste it";

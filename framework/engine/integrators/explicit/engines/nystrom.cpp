@@ -8,6 +8,18 @@
 
 namespace muelle::engine {
 
+MethodInfo nystromInfo() {
+  MethodInfo info;
+  info.adaptive = true;
+  info.conservesMomentum = true;
+  info.needs.velocityFreeForce = true;
+  info.realLimit = 0.0;  // no damping can act on it
+  info.formula =
+      "x'' = A(t, x): stages of the positions alone; x+ = x + h v + h^2 sum b_i A_i, v+ = v + h sum bv_i A_i";
+  info.source = "Dormand, El-Mikkawy and Prince, IMA J. Numer. Anal. 7 (1987) 423-430";
+  return info;
+}
+
 Nystrom::Nystrom(MethodInfo info, const NystromTableau& tableau)
     : info_(std::move(info)),
       c_(rounded(tableau.c)),

@@ -7,6 +7,9 @@
 
 namespace muelle::engine {
 
+/// What is known of every such pair: what it needs, keeps and computes.
+MethodInfo nystromInfo();
+
 /// Embedded Runge-Kutta-Nystroem pairs, for forces that do not depend on the velocity. A state inside the step is found
 /// by a shorter step, at full order: an interpolant of order 8 or 12 would cost as many evaluations.
 class Nystrom : public Integrator {

@@ -1,0 +1,12 @@
+// attack: throws an exception with a text of 100 MiB; expect: zero points; says: threw an exception
+#include "spring_1d.h"
+#include <stdexcept>
+
+static double attack() {
+  throw std::runtime_error(std::string(100 << 20, 'x'));
+}
+double lumpedMass(double, int) { return attack(); }
+double springForceOnA(double, double, double, double) { return attack(); }
+double springForceOnB(double, double, double, double) { return attack(); }
+double hangingAcceleration(double, double, const Attachment&, double) { return attack(); }
+double accelerationBetween(double, double, const Attachment&, const Attachment&, double) { return attack(); }

@@ -1,0 +1,18 @@
+// loses: HookeForce, CrossedNodes, ThirdLaw, ZeroLength, ShortSpring, HangingNode, NodeBetween, Oscillator; misconception: none
+#include "spring_1d.h"
+double springForceOnA(double xa, double xb, double k, double L0) {
+  double L;
+  if (xa - xb > L) L = xa - xb;
+  if (xb - xa > L) L = xb - xa;
+  if (L == 0) return 0;
+  return -k * (L - L0) * (xa - xb) / L;
+}
+double lumpedMass(double M, int n) { return M / n; }
+double springForceOnB(double xa, double xb, double k, double L0) { return -springForceOnA(xa, xb, k, L0); }
+double hangingAcceleration(double x, double m, const Attachment& top, double g) {
+  return springForceOnA(x, top.x, top.k, top.L0) / m - g;
+}
+double accelerationBetween(double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+  const double force = springForceOnA(x, lower.x, lower.k, lower.L0) + springForceOnA(x, upper.x, upper.k, upper.L0);
+  return force / m - g;
+}
