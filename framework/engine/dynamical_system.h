@@ -53,8 +53,8 @@ class DynamicalSystem : public muelle::DynamicalSystem {
   /// Whether something ties the system to a place: a node that is held or moved, an obstacle, drag, a field that
   /// varies. Without it the motion is the same however fast all of it flies by.
   virtual bool isTied() const { return true; }
-  /// Overwrites x and v with the positions and velocities of all nodes, dimension() numbers each, in the system's order:
-  /// the held ones too.
+  /// Overwrites x and v with the positions and velocities of all nodes, dimension() numbers each, in the system's
+  /// order: the held ones too.
   virtual void everyNode(const State& state, std::vector<double>& x, std::vector<double>& v) const {
     x = state.x;
     v = state.v;

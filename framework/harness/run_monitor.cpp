@@ -45,7 +45,7 @@ RunMonitor::RunMonitor(const DynamicalSystem& system, double explosion, double d
       explosion_(explosion),
       duration_(duration),
       name_(std::move(name)),
-      force_(static_cast<std::size_t>(system.size()), 0.0) {}
+      force_(system.mass().size(), 0.0) {}
 
 StopReport RunMonitor::checkStart(const State& start) {
   const std::size_t badVelocity = firstNotFinite(start.v);
@@ -59,6 +59,7 @@ StopReport RunMonitor::checkStart(const State& start) {
   double totalMass = 0.0;
   double reachable = 0.0;
   for (std::size_t i = 0; i < force_.size(); ++i) {
+    if (mass[i] == 0.0) continue;  // held
     const double speed = std::abs(start.v[i]) + std::abs(force_[i]) * duration_ / mass[i];
     totalMass += mass[i];
     reachable += 0.5 * mass[i] * speed * speed;
@@ -101,15 +102,16 @@ StopReport RunMonitor::notFinite(double t, std::size_t unknown, const char* what
 }
 
 StopReport RunMonitor::exploded(const State& state, double energy) const {
-  const auto slower = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  const auto fastest = std::max_element(state.v.begin(), state.v.end(), slower);
-  const auto unknown = static_cast<std::size_t>(fastest - state.v.begin());
+  std::size_t unknown = 0;
+  for (std::size_t i = 0; i < state.v.size(); ++i) {
+    if (system_.mass()[i] > 0.0 && std::abs(state.v[i]) > std::abs(state.v[unknown])) unknown = i;
+  }
   return {true, state.t, static_cast<int>(unknown),
           fmt::format("t = {:.6g} s, {}: the energy explodes (velocity {:.3g} m/s, {} energy {:.3g} J, more than "
                       "{:.3g} times its natural scale of {:.3g} J); look for a force with the wrong sign or a step too "
                       "long for the stiffness",
-                      state.t, name_(unknown), *fastest, potentialEnergy_ ? "kinetic and potential" : "kinetic", energy,
-                      explosion_, energyScale_)};
+                      state.t, name_(unknown), state.v[unknown], potentialEnergy_ ? "kinetic and potential" : "kinetic",
+                      energy, explosion_, energyScale_)};
 }
 
 }  // namespace muelle

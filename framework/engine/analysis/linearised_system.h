@@ -30,7 +30,7 @@ class LinearisedSystem {
   void difference(In y, bool ofVelocity, Out out) const;
 
   CompactSystem system_;
-  State state_;  ///< compact
+  State state_;                         ///< compact
   std::unique_ptr<Matrices> matrices_;  // null: by differences
 };
 

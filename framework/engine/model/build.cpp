@@ -97,8 +97,8 @@ struct Builder {
 void addGravity(Builder& builder) {
   if (builder.model.gravity.isZero(0.0)) return;
   const Vec3& g = builder.model.gravity;
-  builder.batches.push_back(std::make_unique<Gravity>(
-      builder.lanes([&](const ModelNode& node, int axis) { return node.m * g[axis]; })));
+  builder.batches.push_back(
+      std::make_unique<Gravity>(builder.lanes([&](const ModelNode& node, int axis) { return node.m * g[axis]; })));
 }
 
 /// The sign of xa - xb at the start.

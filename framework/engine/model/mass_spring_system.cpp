@@ -114,7 +114,8 @@ bool MassSpringSystem::remainderUsesVelocity() const {
 }
 
 bool MassSpringSystem::isTied() const {
-  return static_cast<int>(numbering_.freeNodes.size()) < nodeCount() || drag_ != nullptr || !model_.obstacles.empty() || !model_.properties.empty();
+  return static_cast<int>(numbering_.freeNodes.size()) < nodeCount() || drag_ != nullptr || !model_.obstacles.empty() ||
+         !model_.properties.empty();
 }
 
 bool MassSpringSystem::isComplete() const {

@@ -19,10 +19,10 @@ struct Numbering {
   Layout layout;
 };
 
-/// The one system that build() makes: batches of forces over the lanes of all nodes, the held ones among them. The dimension is a number here, and
-/// a template parameter in the batches alone. Its capabilities stand in a source each: forces and energy in
-/// mass_spring_system.cpp, beside it ..._nodes, ..._matrix, ..._constraints, ..._switching and ..._quantities (what
-/// a state has of energy and momentum).
+/// The one system that build() makes: batches of forces over the lanes of all nodes, the held ones among them. The
+/// dimension is a number here, and a template parameter in the batches alone. Its capabilities stand in a source each:
+/// forces and energy in mass_spring_system.cpp, beside it ..._nodes, ..._matrix, ..._constraints, ..._switching and
+/// ..._quantities (what a state has of energy and momentum).
 class MassSpringSystem final : public ModelSystem,
                                private Potential,
                                private Drag,

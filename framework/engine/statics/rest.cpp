@@ -176,10 +176,10 @@ bool RestSearch::standsAlready() {
   const Curvature& curvature = shapeCurvature();
   double down = 0.0;
   const CompactSystem compact(still_);
-  std::vector<double> end(curvature.along.size()), begin(end.size());
+  std::vector<double> end(static_cast<std::size_t>(system_.size())), begin(end.size());
   compact.gather(x, end);
   compact.gather(start_.x, begin);
-  for (std::size_t i = 0; i < end.size(); ++i) down += curvature.along[i] * (end[i] - begin[i]);
+  for (std::size_t i = 0; i < curvature.along.size(); ++i) down += curvature.along[i] * (end[i] - begin[i]);
   if (curvature.smallest >= -curvature.roundOff) return true;
   if (std::abs(down) <= 0.01 * size && !isUphill(x, 1e-9 * size)) return true;
   form_.reset();

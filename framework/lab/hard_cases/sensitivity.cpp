@@ -178,7 +178,7 @@ Sensitivity sensitivityOf(const Variant& variant) {
   int fast = 0;
   for (const State& state : states) {
     found.times.push_back(state.t);
-    found.any.push_back(growthFrom(variant, system, state));
+    found.any.push_back(growthFrom(variant, *system, state));
     found.along.push_back(perSecond / flowOf(variant, *system, state));
     if (speedOf(state) < 0.5 * fastest) continue;
     const double growth = growthPerSpeed(variant, state);

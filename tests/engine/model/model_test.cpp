@@ -205,10 +205,11 @@ TEST(PrescribedMotion, MovesTheEndOfASpringAndDampsAgainstItsVelocity) {
   model.nodes[0].motion = 0;
   model.springs[0] = {.a = 0, .b = 1, .k = 10.0, .L0 = 1.0, .dRelative = 0.5};
   const auto system = build(model);
-  const State s = system->initialState();
-  std::vector<double> f(3);
-  system->force(1.0, s.x, s.v, s.z, f);
-  EXPECT_DOUBLE_EQ(f[0], -10.0 * (2.0 - 1.0) + 0.5 * 2.0);
+  State s = system->initialState();
+  s.t = 1.0;
+  system->place(s.t, s.z, s.x, s.v);
+  const std::vector<double> f = forceOf(*system, s);
+  EXPECT_DOUBLE_EQ(f[static_cast<std::size_t>(system->lane(1, 0))], -10.0 * (2.0 - 1.0) + 0.5 * 2.0);
   EXPECT_FALSE(system->potential()->isComplete()) << "the mover does work";
 }
 

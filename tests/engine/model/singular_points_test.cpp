@@ -57,7 +57,8 @@ double jump(const Model& model, double distance) {
     State moved = start;
     for (std::size_t i = 0; i < moved.x.size(); ++i) {
       // Directions without a pattern, so that no two neighbours move alike.
-      if (system->inverseMass()[i] > 0.0) moved.x[i] += (side == 0 ? distance : -distance) * std::sin(12.9898 * static_cast<double>(i) + 0.7);
+      if (system->inverseMass()[i] > 0.0)
+        moved.x[i] += (side == 0 ? distance : -distance) * std::sin(12.9898 * static_cast<double>(i) + 0.7);
     }
     forces[side].resize(moved.x.size());
     system->force(moved.t, moved.x, moved.v, moved.z, forces[side]);

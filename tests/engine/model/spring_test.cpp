@@ -116,8 +116,8 @@ TEST(NearFlat, DihedralFollowsBinary128) {
     const State s = system->initialState();
     const Quad z = static_cast<Quad>(epsilon), theta = atanq(z), r2 = 1 + z * z;
     EXPECT_NEAR(system->totalEnergy(s), static_cast<double>(Quad(2.5) * theta * theta), 1e-15 * epsilon * epsilon);
-    EXPECT_NEAR(forceOf(*system, s)[static_cast<std::size_t>(system->lane(3, 2))],
-                static_cast<double>(-5 * theta / r2), 1e-15 * epsilon * 5.0);
+    EXPECT_NEAR(forceOf(*system, s)[static_cast<std::size_t>(system->lane(3, 2))], static_cast<double>(-5 * theta / r2),
+                1e-15 * epsilon * 5.0);
     const int i = system->unknown(3, 2);
     EXPECT_NEAR(stiffness(*system, s)(i, i), static_cast<double>(5 * (1 - 2 * z * theta) / (r2 * r2)), 1e-14);
   }
