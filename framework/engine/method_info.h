@@ -11,6 +11,7 @@ struct Needs {
   bool constraints = false;          ///< the elastic energies as constraints
   bool distanceConstraints = false;  ///< constraints, all of them distances
   bool velocityFreeForce = false;    ///< a force that does not depend on the velocity
+  bool dragAside = false;            ///< but for a linear drag of each unknown alone (Drag), which may act
 };
 
 /// How a method behaves under a step that is too large for a mode.

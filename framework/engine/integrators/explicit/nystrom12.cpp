@@ -16,12 +16,14 @@ MethodInfo nystrom12Info() {
   info.adaptive = true;
   info.conservesMomentum = true;
   info.needs.velocityFreeForce = true;
-  info.realLimit = 0.0;  // no damping can act on it
+  info.needs.dragAside = true;
+  info.realLimit = 0.0;  // no damping but drag can act on it
   info.formula =
       "x'' = A(t, x): stages of the positions alone; x+ = x + h v + h^2 sum b_i A_i, v+ = v + h sum bv_i A_i";
   info.source = "Dormand, El-Mikkawy and Prince, IMA J. Numer. Anal. 7 (1987) 423-430: RKN12(10)17M";
   info.remark =
-      "undamped, smooth scenes to the last digits: steps of a sixth of a period at round-off; the reference of choice "
+      "smooth scenes damped by drag (exact) or not at all, to the last digits: steps of a sixth of a period at "
+      "round-off; the reference of choice "
       "there. Events and kinks waste it";
   return info;
 }

@@ -15,12 +15,14 @@ MethodInfo nystrom8Info() {
   info.adaptive = true;
   info.conservesMomentum = true;
   info.needs.velocityFreeForce = true;
-  info.realLimit = 0.0;  // no damping can act on it
+  info.needs.dragAside = true;
+  info.realLimit = 0.0;  // no damping but drag can act on it
   info.formula =
       "x'' = A(t, x): stages of the positions alone; x+ = x + h v + h^2 sum b_i A_i, v+ = v + h sum bv_i A_i";
   info.source = "Dormand, El-Mikkawy and Prince, IMA J. Numer. Anal. 7 (1987) 423-430: RKN8(6)9FM";
   info.remark =
-      "undamped scenes at tight tolerances (1e-8 to 1e-12): order 8 for eight forces a step. Energy and angular "
+      "scenes damped by drag (exact) or not at all at tight tolerances (1e-8 to 1e-12): order 8 for eight forces a "
+      "step. Energy and angular "
       "momentum drift by its own error";
   return info;
 }

@@ -91,11 +91,16 @@ class Rattle final : public Integrator {
           "rattle needs a force that does not depend on the velocity: remove damping, drag and friction");
     }
     kick_.prepare(system);
-    rods_ = system.rods();
+    rods_.assign(system.rods().begin(), system.rods().end());
+    if (const std::span<const int> lanes = system.lanes(); !lanes.empty()) {
+      for (Rod& rod : rods_) {
+        if (rod.a >= 0) rod.a = lanes[static_cast<std::size_t>(rod.a)];
+        if (rod.b >= 0) rod.b = lanes[static_cast<std::size_t>(rod.b)];
+      }
+    }
     dimension_ = system.dimension();
-    const auto n = static_cast<Eigen::Index>(system.size());
-    inverseMass_.resize(n);
-    for (Eigen::Index i = 0; i < n; ++i) inverseMass_[i] = 1.0 / system.mass()[static_cast<std::size_t>(i)];
+    const auto n = static_cast<Eigen::Index>(system.storage());
+    inverseMass_ = Eigen::Map<const Vector>(system.inverseMass().data(), n);
     dx_.setZero(n);
     dv_.setZero(n);
     residual_.setZero(static_cast<Eigen::Index>(rods_.size()));
@@ -110,10 +115,13 @@ class Rattle final : public Integrator {
     dx_ = h * (v0 + (0.5 * h) * a);
     dv_ = (0.5 * h) * a;
     if (std::string failure = drift(from, h, to); !failure.empty()) return failed(h, failure);
-    kick_.evaluate(system, to.t, to.x, from.v, from.z, work_);
+    to.v = from.v;
+    system.place(to.t, from.z, to.x, to.v);
+    kick_.evaluate(system, to.t, to.x, to.v, from.z, work_);
     dv_ += (0.5 * h) * a;  // which is now the end's
     if (std::string failure = stopStretching(from, to); !failure.empty()) return failed(h, failure);
     for (std::size_t i = 0; i < from.v.size(); ++i) to.v[i] = from.v[i] + dv_[static_cast<Eigen::Index>(i)];
+    system.place(to.t, from.z, to.x, to.v);
     kick_.finish(to);
     end_->mark.set(to);
     return finiteOrFailure(system, from, to, 0.0);
@@ -220,7 +228,7 @@ class Rattle final : public Integrator {
   }
 
   Kick kick_;
-  std::span<const Rod> rods_;
+  std::vector<Rod> rods_;  ///< with lanes for unknowns
   int dimension_ = 1;
   Vector inverseMass_;
   Vector dx_, dv_;                  ///< change over the step

@@ -47,11 +47,8 @@ class RungeKuttaChebyshev2 : public Integrator {
 
   void prepare(const DynamicalSystem& system, const Tolerance& tolerance) override {
     tolerance_ = tolerance;
-    const auto n = static_cast<std::size_t>(system.size());
+    const auto n = static_cast<std::size_t>(system.storage());
     size_ = n;
-    inverseMass_.resize(n);
-    const std::span<const double> mass = system.mass();
-    std::transform(mass.begin(), mass.end(), inverseMass_.begin(), [](double m) { return 1.0 / m; });
     for (std::vector<double>* array : {&start_, &end_, &x1_, &v1_, &x2_, &v2_, &a_}) array->assign(n, 0.0);
     bound_.prepare(system);
     restart();
@@ -70,7 +67,7 @@ class RungeKuttaChebyshev2 : public Integrator {
     if (const int at = firstNotFinite(start_); at >= 0) {
       return {.done = false,
               .error = 0.0,
-              .failure = fmt::format("the force on {} is not finite at t = {:g} s", system.unknownName(at), from.t)};
+              .failure = fmt::format("the force on {} is not finite at t = {:g} s", laneName(system, at), from.t)};
     }
     const double spectralRadius = bound_.update(system, from, start_, work_);
     const double wanted = 1.0 + std::sqrt(1.54 * h * spectralRadius + 1.0);
@@ -84,18 +81,18 @@ class RungeKuttaChebyshev2 : public Integrator {
                                  h, spectralRadius, wanted, mostStages)};
     }
     advance(system, from, h, std::max(2, static_cast<int>(wanted)), to);
+    system.place(to.t, from.z, to.x, to.v);
     evaluate(system, to.t, to.x, to.v, from.z, end_);
     endMark_.set(to);
-    return finiteOrFailure(system, from, to, error(from, to, h));
+    return finiteOrFailure(system, from, to, error(system.inverseMass(), from, to, h));
   }
 
  private:
   static constexpr int mostStages = 4000;  // round-off grows with their square: 1e-9 of the step's change here
 
   void evaluate(const DynamicalSystem& system, double t, In x, In v, In z, std::vector<double>& a) {
-    system.force(t, x, v, z, a);
+    system.acceleration(t, x, v, z, a);
     ++work_.forceEvaluations;
-    for (std::size_t i = 0; i < size_; ++i) a[i] *= inverseMass_[i];
   }
 
   void provideStart(const DynamicalSystem& system, const State& from) {
@@ -138,6 +135,7 @@ class RungeKuttaChebyshev2 : public Integrator {
       const double mu = 2.0 * w0 * now.b / last.b;
       const double nu = -now.b / before.b;
       const double weight = mu * w1 / w0;
+      system.place(from.t + timeLast * h, from.z, to.x, to.v);
       evaluate(system, from.t + timeLast * h, to.x, to.v, from.z, a_);
       for (std::size_t i = 0; i < size_; ++i) {
         // The differences from `from` are combined: mu + nu + (1 - mu - nu) loses digits when s is large.
@@ -157,13 +155,14 @@ class RungeKuttaChebyshev2 : public Integrator {
   }
 
   /// 0.8 (y_n - y_n+1) + 0.4 h (y'_n + y'_n+1).
-  double error(const State& from, const State& to, double h) const {
+  double error(std::span<const double> inverseMass, const State& from, const State& to, double h) const {
     double largest = 0.0;
     const auto look = [&](double y0, double y1, double slopes, double scale) {
       const double estimate = 0.8 * (y0 - y1) + 0.4 * h * slopes;
       largest = larger(largest, errorRatio(estimate, y0, y1, tolerance_.relative * scale));
     };
     for (std::size_t i = 0; i < size_; ++i) {
+      if (inverseMass[i] == 0.0) continue;  // moved
       look(from.x[i], to.x[i], from.v[i] + to.v[i], errorScale_.position);
       look(from.v[i], to.v[i], start_[i] + end_[i], errorScale_.velocity);
     }
@@ -172,7 +171,6 @@ class RungeKuttaChebyshev2 : public Integrator {
 
   Tolerance tolerance_;
   std::size_t size_ = 0;
-  std::vector<double> inverseMass_;
   std::vector<double> start_, end_;  // accelerations at the ends of the step
   std::vector<double> x1_, v1_, x2_, v2_, a_;
   SpectralBound bound_;

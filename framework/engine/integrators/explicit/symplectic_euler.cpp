@@ -1,4 +1,5 @@
 #include "engine/integrators/explicit/engines/combination.h"
+#include "engine/integrators/explicit/engines/stage_kernels.h"
 #include "engine/integrators/explicit/methods.h"
 
 namespace muelle::engine {
@@ -33,27 +34,26 @@ class SymplecticEuler : public Integrator {
   }
 
   void prepare(const DynamicalSystem& system, const Tolerance&) override {
-    force_.resize(static_cast<std::size_t>(system.size()));
+    acceleration_.assign(static_cast<std::size_t>(system.storage()), 0.0);
   }
 
   StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
     prepareResult(from, h, to);
-    system.force(from.t, from.x, from.v, from.z, force_);
+    system.acceleration(from.t, from.x, from.v, from.z, acceleration_);
     ++work_.forceEvaluations;
-    const std::span<const double> m = system.mass();
-    for (std::size_t i = 0; i < force_.size(); ++i) {
-      to.v[i] = from.v[i] + h / m[i] * force_[i];
-      to.x[i] = from.x[i] + h * to.v[i];
-    }
+    const double notFinite = stageKernels(acceleration_.size())
+                                 .kickDrift(acceleration_.size(), from.x.data(), from.v.data(), acceleration_.data(), h,
+                                            to.x.data(), to.v.data());
+    system.place(to.t, from.z, to.x, to.v);
+    if (notFinite == 0.0) return {};
     return finiteOrFailure(system, from, to, 0.0);
   }
 
   bool hasIncrements() const override { return true; }
   StepResult stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) override {
     StepResult result = step(system, from, h, increment);
-    const std::span<const double> m = system.mass();
-    for (std::size_t i = 0; i < force_.size(); ++i) {
-      increment.v[i] = h / m[i] * force_[i];
+    for (std::size_t i = 0; i < acceleration_.size(); ++i) {
+      increment.v[i] = h * acceleration_[i];
       const double v = from.v[i] + increment.v[i];
       increment.x[i] = h * v + h * lostIn(v, from.v[i], increment.v[i]);
     }
@@ -61,7 +61,7 @@ class SymplecticEuler : public Integrator {
   }
 
  private:
-  std::vector<double> force_;
+  std::vector<double> acceleration_;
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ double massNorm(In vector, std::span<const double> mass) {
 }  // namespace
 
 void SpectralBound::prepare(const DynamicalSystem& system) {
-  const auto n = static_cast<std::size_t>(system.size());
+  const auto n = static_cast<std::size_t>(system.storage());
   perturbed_.resize(n);
   force_.resize(n);
   for (Iteration* iteration : {&stiffness_, &damping_}) {
@@ -25,6 +25,10 @@ void SpectralBound::prepare(const DynamicalSystem& system) {
     for (std::size_t i = 0; i < n; ++i) {
       const double spread = 0.6180339887498949 * static_cast<double>(i + 1);
       iteration->direction[i] = spread - std::floor(spread) - 0.4;
+    }
+    const std::span<const double> w = system.inverseMass();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (w[i] == 0.0) iteration->direction[i] = 0.0;  // held
     }
     const double norm = massNorm(iteration->direction, system.mass());
     for (double& entry : iteration->direction) entry /= norm;
@@ -47,10 +51,10 @@ double SpectralBound::iterate(const DynamicalSystem& system, const State& state,
   if (reach == 0.0) return 0.0;
   const double epsilon = 1.5e-8 * std::max(size, 1e-3) / reach;
   for (std::size_t i = 0; i < base.size(); ++i) perturbed_[i] = base[i] + epsilon * iteration.direction[i];
-  system.force(state.t, ofVelocity ? In(state.x) : In(perturbed_), ofVelocity ? In(perturbed_) : In(state.v), state.z,
-               force_);
+  system.acceleration(state.t, ofVelocity ? In(state.x) : In(perturbed_), ofVelocity ? In(perturbed_) : In(state.v),
+                      state.z, force_);
   ++work.forceEvaluations;
-  for (std::size_t i = 0; i < base.size(); ++i) force_[i] = (force_[i] / mass[i] - acceleration[i]) / epsilon;
+  for (std::size_t i = 0; i < base.size(); ++i) force_[i] = (force_[i] - acceleration[i]) / epsilon;
   const double found = massNorm(force_, mass);
   const double change = std::abs(found - iteration.eigenvalue) / std::max(found, 1e-300);
   iteration.eigenvalue = found;
