@@ -16,7 +16,7 @@ inline constexpr std::size_t mostStageTerms = 17;
 /// The stages that enter a sum and what they are read from.
 struct StageTerms {
   std::size_t count = 0;
-  const double* a[mostStageTerms] = {};  ///< accelerations [m/s^2], n lanes each
+  const double* a[mostStageTerms];  ///< accelerations [m/s^2], n lanes each
   const double* wx = nullptr;            ///< weights of positions, one a term
   const double* wv = nullptr;            ///< weights of velocities
 };

@@ -7,6 +7,9 @@
 
 #include <utility>
 
+/// The bodies of loops are lambdas, which are too long for the compiler to take in by itself.
+#define MUELLE_INLINE __attribute__((always_inline))
+
 namespace muelle::engine {
 
 namespace {
@@ -17,19 +20,19 @@ using Vector = double __attribute__((vector_size(8 * MUELLE_LANES), aligned(8), 
 struct Wide {
   static constexpr std::size_t lanes = MUELLE_LANES;
   Vector value;
-  static Wide load(const double* p) { return {*reinterpret_cast<const Vector*>(p)}; }
+  MUELLE_INLINE static Wide load(const double* p) { return {*reinterpret_cast<const Vector*>(p)}; }
   void store(double* p) const { *reinterpret_cast<Vector*>(p) = value; }
 };
 struct One {
   static constexpr std::size_t lanes = 1;
   double value;
-  static One load(const double* p) { return {*p}; }
+  MUELLE_INLINE static One load(const double* p) { return {*p}; }
   void store(double* p) const { *p = value; }
 };
 
 /// What one lane's error is over what is allowed there: see errorRatio().
 template <class T>
-T ratioOf(const T& error, const T& from, const T& to, double allowed) {
+MUELLE_INLINE inline T ratioOf(const T& error, const T& from, const T& to, double allowed) {
   constexpr double rounding = 4.0 * 2.220446049250313e-16;
   T a = from, b = to, e = error;
   a.value = a.value < 0.0 ? -a.value : a.value;
@@ -42,7 +45,7 @@ T ratioOf(const T& error, const T& from, const T& to, double allowed) {
 
 /// Runs body(T, i) over the lanes, N of them when that is not 0.
 template <std::size_t N, class Body>
-void overLanes(std::size_t n, Body&& body) {
+MUELLE_INLINE inline void overLanes(std::size_t n, Body&& body) {
   if constexpr (N > 0) {
     for (std::size_t i = 0; i < N; ++i) body(One{}, i);
   } else {
@@ -54,9 +57,9 @@ void overLanes(std::size_t n, Body&& body) {
 
 /// Runs body(j) over the terms after the first, whose number is known when compiling unless it is 0.
 template <std::size_t Terms, class Body>
-void overLaterTerms(const StageTerms& terms, Body&& body) {
+MUELLE_INLINE inline void overLaterTerms(const StageTerms& terms, Body&& body) {
   if constexpr (Terms > 0) {
-    [&]<std::size_t... J>(std::index_sequence<J...>) { (body(J + 1), ...); }
+    [&]<std::size_t... J>(std::index_sequence<J...>) MUELLE_INLINE { (body(J + 1), ...); }
     (std::make_index_sequence<Terms - 1>{});
   } else {
     for (std::size_t j = 1; j < terms.count; ++j) body(j);
@@ -66,12 +69,12 @@ void overLaterTerms(const StageTerms& terms, Body&& body) {
 template <std::size_t N, std::size_t Terms, bool Velocity>
 void stageOf(const StageBase& base, const StageTerms& terms, double c, double* __restrict X, double* __restrict V) {
   const double h = base.h;
-  overLanes<N>(base.n, [&](auto kind, std::size_t i) {
+  overLanes<N>(base.n, [&](auto kind, std::size_t i) MUELLE_INLINE {
     using T = decltype(kind);
     T x = T::load(terms.a[0] + i), v = x;
     x.value = terms.wx[0] * x.value;
     v.value = terms.wv[0] * v.value;
-    overLaterTerms<Terms>(terms, [&](std::size_t j) {
+    overLaterTerms<Terms>(terms, [&](std::size_t j) MUELLE_INLINE {
       const T a = T::load(terms.a[j] + i);
       x.value = x.value + terms.wx[j] * a.value;
       if constexpr (Velocity) v.value = v.value + terms.wv[j] * a.value;
@@ -92,7 +95,7 @@ void endOf(const StageBase& base, const StageTerms& terms, const StageEstimate* 
   const double h = base.h, hh = h * h;
   Wide wideBad{}, wideLargest[2]{};
   One oneBad{}, oneLargest[2]{};
-  overLanes<N>(base.n, [&](auto kind, std::size_t i) {
+  overLanes<N>(base.n, [&](auto kind, std::size_t i) MUELLE_INLINE {
     using T = decltype(kind);
     T x = T::load(terms.a[0] + i), v = x, ex[2] = {x, x}, ev[2] = {x, x};
     x.value = terms.wx[0] * x.value;
@@ -101,7 +104,7 @@ void endOf(const StageBase& base, const StageTerms& terms, const StageEstimate* 
       ex[e].value = estimates[e].ex[0] * ex[e].value;
       ev[e].value = estimates[e].ev[0] * ev[e].value;
     }
-    overLaterTerms<Terms>(terms, [&](std::size_t j) {
+    overLaterTerms<Terms>(terms, [&](std::size_t j) MUELLE_INLINE {
       const T a = T::load(terms.a[j] + i);
       x.value = x.value + terms.wx[j] * a.value;
       v.value = v.value + terms.wv[j] * a.value;
@@ -115,7 +118,7 @@ void endOf(const StageBase& base, const StageTerms& terms, const StageEstimate* 
     v.value = v0.value + h * v.value;
     x.store(X + i);
     v.store(V + i);
-    const auto look = [&](auto& bad, auto& largest) {
+    const auto look = [&](auto& bad, auto& largest) MUELLE_INLINE {
       bad.value = bad.value + (0.0 * x.value + 0.0 * v.value);
       for (std::size_t e = 0; e != Estimates; ++e) {
         ex[e].value = hh * ex[e].value;
@@ -187,7 +190,7 @@ double kickDriftOf(std::size_t n, const double* x, const double* v, const double
                    double* __restrict X, double* __restrict V) {
   Wide wideBad{};
   One oneBad{};
-  overLanes<N>(n, [&](auto kind, std::size_t i) {
+  overLanes<N>(n, [&](auto kind, std::size_t i) MUELLE_INLINE {
     using T = decltype(kind);
     T velocity = T::load(v + i), position = T::load(x + i);
     velocity.value = velocity.value + k * T::load(a + i).value;
@@ -216,7 +219,7 @@ double halfKick(std::size_t n, const double* a, double h, const double* X, doubl
   const double k = 0.5 * h;
   Wide wideBad{};
   One oneBad{};
-  overLanes<N>(n, [&](auto kind, std::size_t i) {
+  overLanes<N>(n, [&](auto kind, std::size_t i) MUELLE_INLINE {
     using T = decltype(kind);
     T velocity = T::load(V + i);
     velocity.value = velocity.value + k * T::load(a + i).value;

@@ -32,15 +32,6 @@ StageSum::StageSum(const Coefficients& wx, const Coefficients& wv, const std::ve
   if (stages_.size() > mostStageTerms) throw std::logic_error("StageSum: more stages than the kernels take");
 }
 
-StageTerms StageSum::over(const std::vector<double*>& accelerations) const {
-  StageTerms terms;
-  terms.count = stages_.size();
-  for (std::size_t j = 0; j < terms.count; ++j) terms.a[j] = accelerations[stages_[j]];
-  terms.wx = wx_.data();
-  terms.wv = wv_.data();
-  return terms;
-}
-
 std::array<StageEstimate, 2> StageSum::estimatesOver() const {
   std::array<StageEstimate, 2> all{};
   for (std::size_t e = 0; e < estimates_.size(); ++e) all[e] = {estimates_[e].ex.data(), estimates_[e].ev.data()};

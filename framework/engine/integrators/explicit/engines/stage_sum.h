@@ -17,7 +17,14 @@ class StageSum {
            const std::vector<Coefficients>& ev = {});
 
   /// With where the accelerations are now.
-  StageTerms over(const std::vector<double*>& accelerations) const;
+  StageTerms over(const std::vector<double*>& accelerations) const {
+    StageTerms terms;
+    terms.count = stages_.size();
+    for (std::size_t j = 0; j < terms.count; ++j) terms.a[j] = accelerations[stages_[j]];
+    terms.wx = wx_.data();
+    terms.wv = wv_.data();
+    return terms;
+  }
   std::size_t estimates() const { return estimates_.size(); }
   std::array<StageEstimate, 2> estimatesOver() const;
 
