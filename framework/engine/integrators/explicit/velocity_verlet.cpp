@@ -56,7 +56,7 @@ class VelocityVerlet : public Integrator {
   void prepare(const DynamicalSystem& system, const Tolerance&) override {
     kick_.prepare(system);
     kernels_ = &stageKernels(static_cast<std::size_t>(system.storage()));
-    simple_ = system.drag() == nullptr && !kick_.usesVelocity();
+    simple_ = system.drag() == nullptr;
     factors_.forget();
     if (system.drag() != nullptr) factors_.update(system, 0.0);
     for (std::vector<double>* array : {&predicted_, &dx_, &dv_, &low_})
@@ -92,16 +92,23 @@ class VelocityVerlet : public Integrator {
   void accept() override { kick_.accept(); }
 
  private:
-  /// Without drag and damping, two passes.
+  /// Without drag, two passes, and one more for the predicted velocity where the force uses it.
   StepResult simpleStep(const DynamicalSystem& system, const State& from, double h, State& to) {
     kick_.start(system, from, work_);
     prepareResult(from, h, to);
     const std::size_t n = from.x.size();
     const double* a = kick_.acceleration();
     kernels_->halfKickDrift(n, from.x.data(), from.v.data(), a, h, to.x.data(), to.v.data());
-    system.place(to.t, from.z, to.x, to.v);
-    kick_.evaluate(system, to.t, to.x, to.v, from.z, work_);
+    if (kick_.usesVelocity()) {
+      kernels_->predict(n, to.v.data(), a, h, predicted_.data());
+      system.place(to.t, from.z, to.x, predicted_);
+      kick_.evaluate(system, to.t, to.x, predicted_, from.z, work_);
+    } else {
+      system.place(to.t, from.z, to.x, to.v);
+      kick_.evaluate(system, to.t, to.x, to.v, from.z, work_);
+    }
     const double notFinite = kernels_->halfKick(n, a, h, to.x.data(), to.v.data());
+    if (kick_.usesVelocity()) system.place(to.t, from.z, to.x, to.v);
     kick_.finish(to);
     if (notFinite == 0.0) return {};
     return finiteOrFailure(system, from, to, 0.0);

@@ -52,6 +52,8 @@ struct StageKernels {
   /// Half a step of velocity Verlet without drag: V = v + h/2 a, X = x + h V.
   void (*halfKickDrift)(std::size_t n, const double* x, const double* v, const double* a, double h, double* X,
                         double* V);
+  /// P = V + h/2 a.
+  void (*predict)(std::size_t n, const double* V, const double* a, double h, double* P);
   /// V = V + h/2 a; 0 when X and V are finite.
   double (*halfKick)(std::size_t n, const double* a, double h, const double* X, double* V);
 };

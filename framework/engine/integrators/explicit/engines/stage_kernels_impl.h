@@ -215,6 +215,17 @@ void halfKickDrift(std::size_t n, const double* x, const double* v, const double
 }
 
 template <std::size_t N>
+void predict(std::size_t n, const double* V, const double* a, double h, double* __restrict P) {
+  const double k = 0.5 * h;
+  overLanes<N>(n, [&](auto kind, std::size_t i) MUELLE_INLINE {
+    using T = decltype(kind);
+    T velocity = T::load(V + i);
+    velocity.value = velocity.value + k * T::load(a + i).value;
+    velocity.store(P + i);
+  });
+}
+
+template <std::size_t N>
 double halfKick(std::size_t n, const double* a, double h, const double* X, double* __restrict V) {
   const double k = 0.5 * h;
   Wide wideBad{};
@@ -237,10 +248,10 @@ double halfKick(std::size_t n, const double* a, double h, const double* X, doubl
 /// By the number of lanes: any, 1, 2, 3, 4.
 extern const StageKernels MUELLE_KERNELS[5];
 const StageKernels MUELLE_KERNELS[5] = {
-    {manyStage<mostStageTerms>, manyEnd<mostStageTerms>, kickDrift<0>, halfKickDrift<0>, halfKick<0>},
-    {fewStage<1>, fewEnd<1>, kickDrift<1>, halfKickDrift<1>, halfKick<1>},
-    {fewStage<2>, fewEnd<2>, kickDrift<2>, halfKickDrift<2>, halfKick<2>},
-    {fewStage<3>, fewEnd<3>, kickDrift<3>, halfKickDrift<3>, halfKick<3>},
-    {fewStage<4>, fewEnd<4>, kickDrift<4>, halfKickDrift<4>, halfKick<4>}};
+    {manyStage<mostStageTerms>, manyEnd<mostStageTerms>, kickDrift<0>, halfKickDrift<0>, predict<0>, halfKick<0>},
+    {fewStage<1>, fewEnd<1>, kickDrift<1>, halfKickDrift<1>, predict<1>, halfKick<1>},
+    {fewStage<2>, fewEnd<2>, kickDrift<2>, halfKickDrift<2>, predict<2>, halfKick<2>},
+    {fewStage<3>, fewEnd<3>, kickDrift<3>, halfKickDrift<3>, predict<3>, halfKick<3>},
+    {fewStage<4>, fewEnd<4>, kickDrift<4>, halfKickDrift<4>, predict<4>, halfKick<4>}};
 
 }  // namespace muelle::engine
