@@ -156,19 +156,20 @@ void byHand(const char* id, void (ByHand<3 * Nodes>::*handStep)(double)) {
   double ours = 0.0;
   for (int p = 0; p < pairs; ++p) {
     State state = startOf(Nodes), next = state;
+    State *from = &state, *to = &next;
     ByHand<3 * Nodes> hand(system.chain(), state);
     method->restart();
     ours = seconds([&] {
       for (int n = 0; n < steps; ++n) {
-        method->step(system, state, h, next);
+        method->step(system, *from, h, *to);
         method->accept();
-        std::swap(state, next);
+        std::swap(from, to);
       }
     });
     const double plain = seconds([&] {
       for (int n = 0; n < steps; ++n) (hand.*handStep)(h);
     });
-    if (std::abs(hand.x[0] - state.x[0]) > 1e-9) fmt::print("{}: not the same motion\n", id);
+    if (std::abs(hand.x[0] - from->x[0]) > 1e-9) fmt::print("{}: not the same motion\n", id);
     ratios.push_back(ours / plain);
   }
   fmt::print("{:>4} unknowns {:<18} {:.2f} x the loop by hand; {:.1f} ns a step\n", 3 * Nodes, id, median(ratios),
@@ -184,13 +185,14 @@ void besideTheForce(const char* id) {
   const double h = 1e-3;
   for (int p = 0; p < pairs; ++p) {
     State state = startOf(100), next = state;
+    State *from = &state, *to = &next;
     method->restart();
     method->resetWork();
     const double ours = seconds([&] {
       for (int n = 0; n < 400; ++n) {
-        method->step(system, state, h, next);
+        method->step(system, *from, h, *to);
         method->accept();
-        std::swap(state, next);
+        std::swap(from, to);
       }
     });
     const auto evaluations = method->work().forceEvaluations;
@@ -202,8 +204,8 @@ void besideTheForce(const char* id) {
     absolute.push_back(1e9 * (ours - force) / static_cast<double>(evaluations));
     forces.push_back(1e9 * force / static_cast<double>(evaluations));
   }
-  fmt::print(" 300 unknowns {:<18} {:.2f} of the plain force ({}, {:.0f} ns) beside it, {:.0f} ns an evaluation\n",
-             id, median(ratios), damped ? "damped" : "undamped", median(forces), median(absolute));
+  fmt::print(" 300 unknowns {:<18} {:.2f} of the plain force ({}, {:.0f} ns) beside it, {:.0f} ns an evaluation\n", id,
+             median(ratios), damped ? "damped" : "undamped", median(forces), median(absolute));
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ MethodInfo takahashiImadaInfo() {
   info.stages = 2;
   info.reversible = true;
   info.conservesMomentum = true;
+  info.processed = true;
   info.imaginaryLimit = 3.46410161513775458705;  // 2 sqrt(3)
   info.realLimit = 0.0;                          // no damping can act on it
   info.needs.velocityFreeForce = true;
@@ -76,7 +77,7 @@ class TakahashiImada : public Integrator {
     provideStart(system, from, h);
     prepareResult(from, h, to);
     const double* const p = start_.p.data();
-    kernels_->halfKickDrift(n_, start_.q.data(), p, start_.modified.data(), h, end_.q.data(), end_.p.data());
+    kernels_->halfKickDrift(n_, start_.q.data(), p, start_.modified.data(), h, end_.q.data(), end_.p.data(), nullptr);
     system.place(to.t, from.z, end_.q, end_.p);
     evaluate(system, to.t, end_.q, end_.p, from.z, end_.a);
     evaluateModified(system, to.t, from.z, h, end_);

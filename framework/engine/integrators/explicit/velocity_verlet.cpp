@@ -92,15 +92,15 @@ class VelocityVerlet : public Integrator {
   void accept() override { kick_.accept(); }
 
  private:
-  /// Without drag, two passes, and one more for the predicted velocity where the force uses it.
+  /// Without drag, in two passes.
   StepResult simpleStep(const DynamicalSystem& system, const State& from, double h, State& to) {
     kick_.start(system, from, work_);
     prepareResult(from, h, to);
     const std::size_t n = from.x.size();
     const double* a = kick_.acceleration();
-    kernels_->halfKickDrift(n, from.x.data(), from.v.data(), a, h, to.x.data(), to.v.data());
+    kernels_->halfKickDrift(n, from.x.data(), from.v.data(), a, h, to.x.data(), to.v.data(),
+                            kick_.usesVelocity() ? predicted_.data() : nullptr);
     if (kick_.usesVelocity()) {
-      kernels_->predict(n, to.v.data(), a, h, predicted_.data());
       system.place(to.t, from.z, to.x, predicted_);
       kick_.evaluate(system, to.t, to.x, predicted_, from.z, work_);
     } else {

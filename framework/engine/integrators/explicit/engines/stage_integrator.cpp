@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace muelle::engine {
@@ -65,10 +66,17 @@ void StageIntegrator::prepare(const DynamicalSystem& system, const Tolerance& to
   size_ = static_cast<std::size_t>(system.storage());
   kernels_ = &stageKernels(size_);
   const std::size_t count = stages() + extra_;
-  memory_.assign(count * size_, 0.0);
+  // Each begins a line of the cache, so that a register's load never spans two.
+  constexpr std::size_t line = 8;
+  const std::size_t stride = (size_ + line - 1) / line * line;
+  memory_.assign((count + 2) * stride + line, 0.0);
+  const auto address = reinterpret_cast<std::uintptr_t>(memory_.data()) / sizeof(double);
+  double* const first = memory_.data() + (line - address % line) % line;
   accelerations_.resize(count);
-  for (std::size_t j = 0; j < count; ++j) accelerations_[j] = memory_.data() + size_ * j;
-  for (std::vector<double>* array : {&x_, &v_, &zeros_}) array->assign(size_, 0.0);
+  for (std::size_t j = 0; j < count; ++j) accelerations_[j] = first + stride * j;
+  x_ = first + stride * count;
+  v_ = x_ + stride;
+  zeros_.assign(size_, 0.0);
   restart();
 }
 
@@ -114,11 +122,11 @@ StageEnd StageIntegrator::advance(const DynamicalSystem& system, const State& fr
   prepareResult(from, h, to);
   const StageBase base{size_, from.x.data(), from.v.data(), h};
   // A method that needs no velocities is given some all the same: those at the start.
-  if (!velocities_) std::copy(from.v.begin(), from.v.end(), v_.begin());
+  if (!velocities_) std::copy(from.v.begin(), from.v.end(), v_);
   for (std::size_t i = 1; i < stages(); ++i) {
     const bool atEnd = firstSameAsLast_ && i + 1 == stages();
-    double* const x = atEnd ? to.x.data() : x_.data();
-    double* const v = velocities_ && atEnd ? to.v.data() : v_.data();
+    double* const x = atEnd ? to.x.data() : x_;
+    double* const v = velocities_ && atEnd ? to.v.data() : v_;
     kernels_->stage(base, sums_[i].over(accelerations_), c_[i], x, velocities_ ? v : nullptr);
     evaluate(system, from.t + c_[i] * h, {x, size_}, {v, size_}, from.z, i);
   }
@@ -142,7 +150,7 @@ StepResult StageIntegrator::step(const DynamicalSystem& system, const State& fro
 
 void StageIntegrator::increments(const State& from, double h, State& increment) {
   const StageTerms terms = end_.over(accelerations_);
-  kernels_->stage({size_, zeros_.data(), zeros_.data(), h}, terms, 0.0, x_.data(), increment.v.data());
+  kernels_->stage({size_, zeros_.data(), zeros_.data(), h}, terms, 0.0, x_, increment.v.data());
   kernels_->stage({size_, zeros_.data(), from.v.data(), h}, terms, 1.0, increment.x.data(), nullptr);
 }
 

@@ -83,9 +83,10 @@ class StageIntegrator : public Integrator {
   std::size_t extra_ = 1;
   std::size_t size_ = 0;
   const StageKernels* kernels_ = nullptr;
-  std::vector<double> memory_;          ///< accelerations
+  std::vector<double> memory_;          ///< accelerations, and the present stage
   std::vector<double*> accelerations_;  ///< where each begins
-  std::vector<double> x_, v_, zeros_;   ///< of the present stage
+  double *x_ = nullptr, *v_ = nullptr;  ///< of the present stage
+  std::vector<double> zeros_;
   StateMark startMark_, endMark_;
   bool accepted_ = false, endKnown_ = false;
 };

@@ -17,8 +17,8 @@ inline constexpr std::size_t mostStageTerms = 17;
 struct StageTerms {
   std::size_t count = 0;
   const double* a[mostStageTerms];  ///< accelerations [m/s^2], n lanes each
-  const double* wx = nullptr;            ///< weights of positions, one a term
-  const double* wv = nullptr;            ///< weights of velocities
+  const double* wx = nullptr;       ///< weights of positions, one a term
+  const double* wv = nullptr;       ///< weights of velocities
 };
 
 /// Where a step begins.
@@ -49,11 +49,9 @@ struct StageKernels {
               double allowedX, double allowedV, double* X, double* V, StageEnd& result);
   /// V = v + h a, X = x + h V; 0 when all of it is finite.
   double (*kickDrift)(std::size_t n, const double* x, const double* v, const double* a, double h, double* X, double* V);
-  /// Half a step of velocity Verlet without drag: V = v + h/2 a, X = x + h V.
+  /// Half a step of velocity Verlet without drag: V = v + h/2 a, X = x + h V; and P = V + h/2 a unless that is null.
   void (*halfKickDrift)(std::size_t n, const double* x, const double* v, const double* a, double h, double* X,
-                        double* V);
-  /// P = V + h/2 a.
-  void (*predict)(std::size_t n, const double* V, const double* a, double h, double* P);
+                        double* V, double* P);
   /// V = V + h/2 a; 0 when X and V are finite.
   double (*halfKick)(std::size_t n, const double* a, double h, const double* X, double* V);
 };

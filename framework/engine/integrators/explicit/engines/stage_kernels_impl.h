@@ -184,21 +184,26 @@ void manyEnd(const StageBase& base, const StageTerms& terms, const StageEstimate
   endOf<0, Terms, 2>(base, terms, estimates, allowedX, allowedV, X, V, result);
 }
 
-/// V = v + k a, X = x + h V.
-template <std::size_t N, bool Look>
+/// V = v + k a, X = x + h V, P = V + k a.
+template <std::size_t N, bool Look, bool Predict>
 double kickDriftOf(std::size_t n, const double* x, const double* v, const double* a, double k, double h,
-                   double* __restrict X, double* __restrict V) {
+                   double* __restrict X, double* __restrict V, double* __restrict P) {
   Wide wideBad{};
   One oneBad{};
   overLanes<N>(n, [&](auto kind, std::size_t i) MUELLE_INLINE {
     using T = decltype(kind);
-    T velocity = T::load(v + i), position = T::load(x + i);
-    velocity.value = velocity.value + k * T::load(a + i).value;
+    T velocity = T::load(v + i), position = T::load(x + i), kick = T::load(a + i);
+    kick.value = k * kick.value;
+    velocity.value = velocity.value + kick.value;
     position.value = position.value + h * velocity.value;
     velocity.store(V + i);
     position.store(X + i);
     if constexpr (Look && T::lanes == 1) oneBad.value += 0.0 * velocity.value + 0.0 * position.value;
     if constexpr (Look && T::lanes > 1) wideBad.value += 0.0 * velocity.value + 0.0 * position.value;
+    if constexpr (Predict) {
+      velocity.value = velocity.value + kick.value;
+      velocity.store(P + i);
+    }
   });
   for (std::size_t j = 0; j < Wide::lanes; ++j) oneBad.value += wideBad.value[j];
   return oneBad.value;
@@ -206,23 +211,17 @@ double kickDriftOf(std::size_t n, const double* x, const double* v, const double
 
 template <std::size_t N>
 double kickDrift(std::size_t n, const double* x, const double* v, const double* a, double h, double* X, double* V) {
-  return kickDriftOf<N, true>(n, x, v, a, h, h, X, V);
+  return kickDriftOf<N, true, false>(n, x, v, a, h, h, X, V, nullptr);
 }
 
 template <std::size_t N>
-void halfKickDrift(std::size_t n, const double* x, const double* v, const double* a, double h, double* X, double* V) {
-  kickDriftOf<N, false>(n, x, v, a, 0.5 * h, h, X, V);
-}
-
-template <std::size_t N>
-void predict(std::size_t n, const double* V, const double* a, double h, double* __restrict P) {
-  const double k = 0.5 * h;
-  overLanes<N>(n, [&](auto kind, std::size_t i) MUELLE_INLINE {
-    using T = decltype(kind);
-    T velocity = T::load(V + i);
-    velocity.value = velocity.value + k * T::load(a + i).value;
-    velocity.store(P + i);
-  });
+void halfKickDrift(std::size_t n, const double* x, const double* v, const double* a, double h, double* X, double* V,
+                   double* P) {
+  if (P != nullptr) {
+    kickDriftOf<N, false, true>(n, x, v, a, 0.5 * h, h, X, V, P);
+  } else {
+    kickDriftOf<N, false, false>(n, x, v, a, 0.5 * h, h, X, V, nullptr);
+  }
 }
 
 template <std::size_t N>
@@ -248,10 +247,10 @@ double halfKick(std::size_t n, const double* a, double h, const double* X, doubl
 /// By the number of lanes: any, 1, 2, 3, 4.
 extern const StageKernels MUELLE_KERNELS[5];
 const StageKernels MUELLE_KERNELS[5] = {
-    {manyStage<mostStageTerms>, manyEnd<mostStageTerms>, kickDrift<0>, halfKickDrift<0>, predict<0>, halfKick<0>},
-    {fewStage<1>, fewEnd<1>, kickDrift<1>, halfKickDrift<1>, predict<1>, halfKick<1>},
-    {fewStage<2>, fewEnd<2>, kickDrift<2>, halfKickDrift<2>, predict<2>, halfKick<2>},
-    {fewStage<3>, fewEnd<3>, kickDrift<3>, halfKickDrift<3>, predict<3>, halfKick<3>},
-    {fewStage<4>, fewEnd<4>, kickDrift<4>, halfKickDrift<4>, predict<4>, halfKick<4>}};
+    {manyStage<mostStageTerms>, manyEnd<mostStageTerms>, kickDrift<0>, halfKickDrift<0>, halfKick<0>},
+    {fewStage<1>, fewEnd<1>, kickDrift<1>, halfKickDrift<1>, halfKick<1>},
+    {fewStage<2>, fewEnd<2>, kickDrift<2>, halfKickDrift<2>, halfKick<2>},
+    {fewStage<3>, fewEnd<3>, kickDrift<3>, halfKickDrift<3>, halfKick<3>},
+    {fewStage<4>, fewEnd<4>, kickDrift<4>, halfKickDrift<4>, halfKick<4>}};
 
 }  // namespace muelle::engine
