@@ -11,6 +11,7 @@ struct Needs {
   bool constraints = false;          ///< the elastic energies as constraints
   bool distanceConstraints = false;  ///< constraints, all of them distances
   bool velocityFreeForce = false;    ///< a force that does not depend on the velocity
+  bool dragAside = false;            ///< but for a linear drag of each unknown alone (Drag), which may act
 };
 
 /// How a method behaves under a step that is too large for a mode.
@@ -36,6 +37,7 @@ struct MethodInfo {
   bool conservesMomentum = false;  ///< linear momentum, to round-off
   bool conservesAngularMomentum = false;
   bool iterative = false;  ///< stops iterating before it converges (XPBD, projective dynamics): an error of its own
+  bool processed = false;  ///< another map runs inside, whose limit is the one stated: what comes out does not tell it
   bool holdsRods = false;  ///< keeps the length of rods (DynamicalSystem::rods)
   Stability stability = Stability::Limited;
   double imaginaryLimit = 0.0;  ///< largest h omega on an undamped oscillator; infinite when A-stable

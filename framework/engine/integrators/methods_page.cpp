@@ -40,7 +40,8 @@ std::string neededBy(const MethodInfo& info) {
                  {info.needs.linearisation, "derivatives of the force"},
                  {info.needs.constraints && !info.needs.distanceConstraints, "constraints"},
                  {info.needs.distanceConstraints, "constraints, all of them distances"},
-                 {info.needs.velocityFreeForce, "a force without velocity"}},
+                 {info.needs.velocityFreeForce,
+                  info.needs.dragAside ? "a force without velocity, drag aside" : "a force without velocity"}},
                 "the force alone");
 }
 

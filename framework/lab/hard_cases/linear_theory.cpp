@@ -54,12 +54,19 @@ Block matrixOf(const std::function<Vector(Vector)>& map) {
   return result;
 }
 
-/// Velocity Verlet with the drag exact and the damping at the predicted velocity; h may be negative.
+/// What the drag does in a step: see engine::DragFactors.
+struct DragFactors {
+  Real decay, phi1, phi2;
+  explicit DragFactors(Real c)
+      : decay(std::exp(-c)),
+        phi1(std::abs(c) < 1e-8L ? 1 - c / 2 : -std::expm1(-c) / c),
+        phi2(std::abs(c) < 1e-4L ? Real(1) / 2 - c / 6 + c * c / 24 : (1 - phi1) / c) {}
+};
+
+/// Velocity Verlet with the drag exact and the damping at velocities of its own at both ends, as compositions take it;
+/// h may be negative.
 Block verlet(const Mode& m, Real h) {
-  const Real c = h * m.drag;
-  const Real decay = std::exp(-c);
-  const Real phi1 = std::abs(c) < 1e-8L ? 1 - c / 2 : -std::expm1(-c) / c;
-  const Real phi2 = std::abs(c) < 1e-4L ? Real(1) / 2 - c / 6 + c * c / 24 : (1 - phi1) / c;
+  const auto [decay, phi1, phi2] = DragFactors(h * m.drag);
   return matrixOf([=](Vector y) -> Vector {
     const Real a0 = -m.stiffness * y[0] - m.damping * y[1];
     const Real x = y[0] + h * phi1 * y[1] + h * h * phi2 * a0;
@@ -121,6 +128,21 @@ std::complex<double> leadingEigenvalue(const Square& M) {
     if (std::abs(value) > std::abs(leading)) leading = value;
   }
   return {leading.real(), std::abs(leading.imag())};
+}
+
+/// Velocity Verlet with damping on (x, v, a, 0): the acceleration at a predicted velocity is the next step's first.
+Pair predictedVerlet(const Mode& m, Real h) {
+  const DragFactors f(h * m.drag);
+  Pair step = Pair::Zero();
+  for (int j = 0; j < 3; ++j) {
+    const Real x = j == 0 ? 1 : 0, v = j == 1 ? 1 : 0, a = j == 2 ? 1 : 0;
+    const Real end = x + h * f.phi1 * v + h * h * f.phi2 * a;
+    const Real after = -m.stiffness * end - m.damping * (f.decay * v + h * f.phi1 * a);
+    step(0, j) = end;
+    step(1, j) = f.decay * v + h * ((f.phi1 - f.phi2) * a + f.phi2 * after);
+    step(2, j) = after;
+  }
+  return step;
 }
 
 /// BDF2 on (y_n, y_{n-1}), the first step by Alexander's SDIRK of two stages.
@@ -231,6 +253,13 @@ std::optional<ModeForecast> forecast(const engine::MethodInfo& method, const Mod
     pair << two.first * start, start;
     end = (power(two.step, steps - 1) * pair).head<2>();
     eigenvalue = leadingEigenvalue(two.step);
+  } else if (method.id == "velocity_verlet" && mode.damping != 0.0) {
+    if (mode.cannotPull && overshoots(verlet(mode, length))) start = onTheSlowWay(mode);
+    const Pair step = predictedVerlet(mode, length);
+    Eigen::Matrix<Real, 4, 1> all;
+    all << start, -mode.stiffness * start[0] - mode.damping * start[1], 0;
+    end = (power(step, steps) * all).head<2>();
+    eigenvalue = leadingEigenvalue(step);
   } else {
     const std::optional<Block> step = stepMatrix(method.id, mode, length);
     if (!step) return std::nullopt;

@@ -17,7 +17,11 @@ enum Rule { Refused, Missing, Growth, Cost, Ringing, Iteration, Conservation, Fl
 /// The need of the method that the system does not meet; empty when it meets all.
 std::string missingNeed(const MethodInfo& method, const engine::DynamicalSystem& system) {
   const engine::Needs& needs = method.needs;
-  if (needs.velocityFreeForce && system.forceUsesVelocity()) return "a force that does not depend on the velocity";
+  const engine::Drag* drag = system.drag();
+  const bool onlyDrag = needs.dragAside && drag != nullptr && !drag->remainderUsesVelocity();
+  if (needs.velocityFreeForce && system.forceUsesVelocity() && !onlyDrag) {
+    return "a force that does not depend on the velocity";
+  }
   if (needs.potential && system.potential() == nullptr) return "an energy";
   if (needs.linearisation && system.linearisation() == nullptr) return "derivatives of the force";
   if (!needs.constraints) return "";

@@ -23,7 +23,7 @@ double error(const State& found, const State& exact) {
 /// ratio shrinks with the order, for three points and more to lie in between.
 std::vector<int> stepCounts(int order) {
   const double first = order == 1 ? 200 : order == 2 ? 40 : order <= 5 ? 12 : order == 8 ? 5 : 9;
-  const double ratio = order == 1 ? 2.0 : order <= 5 ? 1.6 : order == 8 ? 1.25 : 1.1;
+  const double ratio = order == 1 ? 2.0 : order <= 6 ? 1.6 : order == 8 ? 1.25 : 1.1;
   std::vector<int> counts;
   for (double n = first; counts.size() < 10; n = std::max(ratio * n, n + 1.0)) counts.push_back(static_cast<int>(n));
   return counts;

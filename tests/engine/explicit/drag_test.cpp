@@ -98,6 +98,86 @@ TEST(Drag, AsAnyOtherForceLeavesOrder2ToVerletAnd3ToTheCompositions) {
   EXPECT_NEAR(order(kahanLi8, system, start, end, 60), 3.0, 0.15);
 }
 
+/// Two oscillators with drags and stiffnesses of their own, coupled by a spring that is not linear.
+class TwoDrags : public LinearSystem {
+ public:
+  TwoDrags()
+      : LinearSystem(Eigen::VectorXd::Ones(2), Eigen::MatrixXd::Identity(2, 2),
+                     Eigen::Vector2d(0.3, 1.1).asDiagonal().toDenseMatrix()) {}
+  void force(double t, In x, In v, In z, Out f) const override {
+    accelerationWithoutDrag(t, x, v, z, f);
+    f[0] -= 0.3 * v[0];
+    f[1] -= 1.1 * v[1];
+  }
+  void accelerationWithoutDrag(double t, In x, In, In, Out a) const override {
+    const double pull = std::sin(2.0 * (x[1] - x[0])) + 0.2 * std::cos(t);
+    a[0] = -2.0 * x[0] + pull;
+    a[1] = -5.0 * x[1] - pull;
+  }
+};
+
+// Their order holds with lanes of different drag, against DOP853 at a fiftieth of their steps.
+TEST(Drag, KeepsTheOrderOfTheNystroemMethods) {
+  const TwoDrags system;
+  State start{.t = 0.0, .x = {0.8, -0.4}, .v = {0.5, 1.0}, .z = {}};
+  const double T = 3.0;
+  const State end = run(dop853, system, start, T / 400, 400);
+  struct Case {
+    Make make;
+    int steps;
+    double order;
+  };
+  for (const Case& c : {Case{rkn64, 12, 6.0}, Case{nystrom8, 8, 8.0}, Case{nystrom12, 3, 12.0}}) {
+    const auto error = [&](int n) {
+      const State found = run(c.make, system, start, T / n, n);
+      return std::hypot(found.x[0] - end.x[0], found.x[1] - end.x[1], found.v[0] - end.v[0]);
+    };
+    const double coarse = error(c.steps), fine = error(2 * c.steps);
+    EXPECT_GT(std::log2(coarse / fine), c.order - 0.6) << c.make()->info().name << ' ' << coarse << ' ' << fine;
+  }
+}
+
+// Where no force acts the step is exact whatever its length: v -> v exp(-c t), x -> x + v (1 - exp(-c t)) / c.
+TEST(Drag, OfAFreeNodeIsExactInTheNystroemMethods) {
+  const LinearSystem system(0.0, 3.0);
+  for (const Make make : {rkn64, nystrom8, nystrom12}) {
+    for (const int steps : {1, 7}) {
+      const State end = run(make, system, {.t = 0.0, .x = {0.5}, .v = {-1.0}, .z = {}}, 2.0 / steps, steps);
+      EXPECT_NEAR(end.v[0], -std::exp(-6.0), 1.2e-16 * steps) << make()->info().name;
+      EXPECT_NEAR(end.x[0], 0.5 + std::expm1(-6.0) / 3.0, 1e-16 * steps) << make()->info().name;
+    }
+  }
+}
+
+// With drag as without: the force kept from the step before changes nothing, and the counts are those stated.
+TEST(Drag, NystroemMethodsReuseTheForceAtTheEnd) {
+  const TwoDrags system;
+  for (const Make make : {rkn64, nystrom8, nystrom12}) {
+    const auto kept = make(), fresh = make();
+    kept->prepare(system, {});
+    fresh->prepare(system, {});
+    State a{.t = 0.0, .x = {0.8, -0.4}, .v = {0.5, 1.0}, .z = {}}, b = a, next, inside;
+    for (int n = 0; n < 6; ++n) {
+      if (n == 1) kept->resetWork();
+      kept->step(system, a, 0.1, next);
+      kept->accept();
+      std::swap(a, next);
+      fresh->restart();
+      fresh->step(system, b, 0.1, next);
+      std::swap(b, next);
+    }
+    EXPECT_EQ(kept->work().forceEvaluations, 5 * kept->info().stages) << kept->info().name;
+    EXPECT_EQ(a.x, b.x);
+    EXPECT_EQ(a.v, b.v);
+    kept->step(system, a, 0.2, next);
+    kept->interpolate(system, a, next, 0.5, inside);
+    fresh->restart();
+    fresh->step(system, a, 0.1, b);
+    EXPECT_NEAR(inside.x[0], b.x[0], 1e-15);
+    EXPECT_NEAR(inside.v[1], b.v[1], 1e-15);
+  }
+}
+
 // Of a stiff, weakly damped oscillator: the spectral radius is that of the stiffness, h rho = 50 times its margin 1.2.
 TEST(Drag, ChebyshevSeesTheStiffnessToo) {
   const LinearSystem system(1000.0, 10.0);

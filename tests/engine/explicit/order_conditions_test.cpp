@@ -188,18 +188,21 @@ void expectNystrom(const NystromTableau& t, const Coefficients& b, const Coeffic
 }
 
 TEST(OrderConditions, NystromOfTheirOrder) {
-  const NystromTableau eight = nystrom8Tableau(), twelve = nystrom12Tableau();
+  const NystromTableau six = rkn64Tableau(), eight = nystrom8Tableau(), twelve = nystrom12Tableau();
+  expectNystrom(six, six.b, six.bv, 6, "RKN6");
+  expectNystrom(six, minus(six.b, six.error), minus(six.bv, six.errorv), 4, "RKN6 embedded");
   expectNystrom(eight, eight.b, eight.bv, 8, "RKN8");
   expectNystrom(twelve, twelve.b, twelve.bv, 12, "RKN12");
   expectNystrom(eight, minus(eight.b, eight.error), minus(eight.bv, eight.errorv), 6, "RKN8 embedded");
   expectNystrom(twelve, minus(twelve.b, twelve.error), minus(twelve.bv, twelve.errorv), 10, "RKN12 embedded");
 }
 
-TEST(OrderConditions, Nystrom8EndsWhereTheNextBegins) {
-  const NystromTableau t = nystrom8Tableau();
-  ASSERT_TRUE(t.firstSameAsLast);
-  for (std::size_t j = 0; j < t.a.back().size(); ++j) EXPECT_EQ(t.a.back()[j], t.b[j]);
-  EXPECT_EQ(t.c.back(), 1.0L);
+TEST(OrderConditions, Nystrom6And8EndWhereTheNextBegins) {
+  for (const NystromTableau& t : {rkn64Tableau(), nystrom8Tableau()}) {
+    ASSERT_TRUE(t.firstSameAsLast);
+    for (std::size_t j = 0; j < t.a.back().size(); ++j) EXPECT_EQ(t.a.back()[j], t.b[j]);
+    EXPECT_EQ(t.c.back(), 1.0L);
+  }
 }
 
 // Symmetric compositions of a symmetric step: sum g = 1, sum g^3 = sum g^5 = sum g^7 = 0 are the conditions on power

@@ -2,6 +2,7 @@
 /// What MethodInfo says about stability, measured on the methods themselves.
 
 #include "engine/integrators/explicit/methods.h"
+#include "engine/solve/dense.h"
 #include "support/linear_system.h"
 
 #include <gtest/gtest.h>
@@ -103,20 +104,94 @@ TEST(Stability, DragDoesNotLowerTheLimitOfVelocityVerlet) {
   }
 }
 
-// A damping that is no node drag: (D not diagonal) the force at a predicted velocity gives R(-h d) = 1 - y + y^2/2.
-TEST(Stability, VerletWithSpringDampingIsStableToTwo) {
-  Eigen::MatrixXd D(2, 2);
-  D << 1.0, -1.0, -1.0, 1.0;  // eigenvalue 2 of the relative velocity
-  const auto factor = [&](double y) {
-    const LinearSystem system(Eigen::VectorXd::Ones(2), Eigen::MatrixXd::Zero(2, 2), 0.5 * y * D);
-    const auto method = velocityVerlet();
+/// The growth a step of a damped, sprung pair's relative motion, from the last of many steps: velocity Verlet with a
+/// damping that is no node drag (D not diagonal), of the relative motion's h omega = y and h d/m = z.
+double verletGrowth(double y, double z) {
+  Eigen::MatrixXd pair(2, 2);
+  pair << 0.5, -0.5, -0.5, 0.5;  // eigenvalue 1 of the relative motion
+  const LinearSystem system(Eigen::VectorXd::Ones(2), y * y * pair, z * pair);
+  const auto method = velocityVerlet();
+  method->prepare(system, {});
+  State state{.t = 0.0, .x = {0.5, -0.5}, .v = {0.3, -0.3}, .z = {}}, next;
+  double early = 0.0, late = 0.0;
+  constexpr int steps = 4000;
+  for (int n = 1; n <= steps; ++n) {
+    if (!method->step(system, state, 1.0, next).done) return HUGE_VAL;
+    method->accept();
+    std::swap(state, next);
+    // The size in the units of the velocity: without a spring the place stays where it is.
+    const double size = std::hypot(y * (state.x[0] - state.x[1]), state.v[0] - state.v[1]);
+    if (n > steps / 4 && n <= steps / 2) early = std::max(early, size);
+    if (n > 3 * steps / 4) late = std::max(late, size);
+  }
+  if (early < 1e-280) return 0.0;
+  return std::pow(late / early, 2.0 / steps);
+}
+
+// (v, h a) goes by a matrix of trace 1 - 3z/2 and determinant -z/2, in the unit circle up to z = 1 (VelocityVerlet).
+// The growth a step beyond is 4/3 of the excess: the growth that 4000 steps show, 1e-6, is 1e-6 of the limit.
+TEST(Stability, VerletWithSpringDampingIsStableToOne) {
+  const double found = limit([](double z) { return verletGrowth(0.0, z) <= 1.0 + 1e-6; }, 3.0);
+  EXPECT_NEAR(found, 1.0, 2e-5);
+  EXPECT_EQ(velocityVerlet()->info().realLimit, 1.0);
+}
+
+// With a spring of h omega = y besides, the characteristic polynomial of (x, v, h a) is that of the recursion
+// x+ = x + h v + h^2/2 a, v+ = v + h/2 (a + a+), a+ = -y^2 x+ - z (v + a): the limit by its eigenvalues.
+TEST(Stability, VerletWithSpringAndDampingFollowsItsMatrix) {
+  for (const double zeta : {0.05, 0.2, 0.5}) {
+    const auto radius = [&](double y) {
+      const double z = 2.0 * zeta * y;
+      Eigen::MatrixXd M(3, 3);
+      // clang-format off
+      M << 1.0, 1.0, 0.5,
+           -0.5 * y * y, 1.0 - 0.5 * (y * y + z), 0.5 - 0.25 * y * y - 0.5 * z,
+           -y * y, -y * y - z, -0.5 * y * y - z;
+      // clang-format on
+      return spectralRadius(M);
+    };
+    const double stated = limit([&](double y) { return radius(y) <= 1.0 + 1e-6; }, 3.0);
+    const double found = limit([&](double y) { return verletGrowth(y, 2.0 * zeta * y) <= 1.0 + 1e-6; }, 3.0);
+    EXPECT_NEAR(found, stated, 1e-3 * stated) << zeta;
+    EXPECT_LE(2.0 * zeta * stated, 1.0 + 1e-3) << zeta;
+  }
+}
+
+// The map inside is velocity Verlet of the frequency omega sqrt(1 - (h omega)^2/12), stable as long as that is real: it
+// is never above 2/h. The states outside follow it by a matrix that stays regular up to there.
+TEST(Stability, TakahashiImadaIsStableToTwoRootsOfThree) {
+  const auto grows = [](double y) {
+    const LinearSystem system(y, 0.0);
+    const auto method = takahashiImada();
     method->prepare(system, {});
-    State to;
-    EXPECT_TRUE(method->step(system, {.t = 0.0, .x = {0.0, 0.0}, .v = {0.5, -0.5}, .z = {}}, 1.0, to).done);
-    return to.v[0] - to.v[1];
+    State state{.t = 0.0, .x = {1.0}, .v = {0.0}, .z = {}}, next;
+    double largest = 0.0;
+    for (int n = 0; n < 3000; ++n) {
+      if (!method->step(system, state, 1.0, next).done) return true;
+      method->accept();
+      std::swap(state, next);
+      largest = std::max(largest, std::abs(state.x[0]));
+    }
+    // Inside the limit the amplitude is at most 1/sqrt(1 - y^2/12) and more times the start; beyond it grows without
+    // end.
+    return largest > 1e4;
   };
-  for (const double y : {0.1, 1.0, 1.9, 2.5}) EXPECT_NEAR(factor(y), 1.0 - y + 0.5 * y * y, 1e-14) << y;
-  EXPECT_EQ(velocityVerlet()->info().realLimit, 2.0);
+  double low = 3.0, high = 4.0;
+  for (int i = 0; i < 30; ++i) {
+    const double middle = 0.5 * (low + high);
+    (grows(middle) ? high : low) = middle;
+  }
+  // 3000 steps of growth sqrt(2 y dy / 6)... make 1e4 of 1 from an excess of about 1e-5.
+  EXPECT_NEAR(low, takahashiImada()->info().imaginaryLimit, 1e-4);
+}
+
+// A mode without damping grows by 1e-7 (h omega)^8 a step, unseen at small steps: no limit can be stated.
+TEST(Stability, RungeKuttaNystroem6GrowsByTheEighthPower) {
+  EXPECT_NEAR(std::log2((stepMatrix(rkn64, 1.0, 0.0).spectralRadius() - 1.0) /
+                        (stepMatrix(rkn64, 0.5, 0.0).spectralRadius() - 1.0)),
+              8.0, 0.3);
+  EXPECT_NEAR(stepMatrix(rkn64, 1.0, 0.0).spectralRadius() - 1.0, 1.0038303410730975e-07, 1e-14);
+  EXPECT_EQ(rkn64()->info().stability, Stability::Never);
 }
 
 }  // namespace

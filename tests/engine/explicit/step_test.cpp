@@ -18,9 +18,20 @@ namespace {
 using testing::LinearSystem;
 using Make = std::unique_ptr<Integrator> (*)();
 
-constexpr Make all[] = {explicitEuler, symplecticEuler, explicitMidpoint, velocityVerlet,
-                        rungeKutta4,   dormandPrince5,  dop853,           nystrom8,
-                        nystrom12,     yoshida4,        kahanLi8,         rungeKuttaChebyshev2};
+constexpr Make all[] = {explicitEuler,
+                        symplecticEuler,
+                        explicitMidpoint,
+                        velocityVerlet,
+                        takahashiImada,
+                        rungeKutta4,
+                        dormandPrince5,
+                        dop853,
+                        rkn64,
+                        nystrom8,
+                        nystrom12,
+                        yoshida4,
+                        kahanLi8,
+                        rungeKuttaChebyshev2};
 
 /// A plane elastic pendulum of mass 1, stiffness 20, rest length 1, with a force in time: smooth and not linear.
 class Pendulum : public DynamicalSystem {
@@ -146,7 +157,7 @@ TEST_P(Every, CostsTheStagesStated) {
 // A step that is taken again keeps the force at its start, where the method has stages after it.
 TEST(Reuse, ARejectedStepCostsOneForceLess) {
   const Pendulum system;
-  for (const Make make : {rungeKutta4, dop853, nystrom8, nystrom12}) {
+  for (const Make make : {rungeKutta4, dop853, rkn64, nystrom8, nystrom12}) {
     const auto method = make();
     method->prepare(system, {});
     State to;
@@ -253,8 +264,8 @@ TEST(ErrorEstimate, FollowsTheErrorAndBoundsIt) {
     int power;  // of h, of the estimate
   };
   const Pendulum system;
-  for (const Case& c : {Case{dormandPrince5, 0.05, 5}, Case{dop853, 0.1, 8}, Case{nystrom8, 0.2, 7},
-                        Case{nystrom12, 0.25, 11}, Case{rungeKuttaChebyshev2, 0.01, 3}}) {
+  for (const Case& c : {Case{dormandPrince5, 0.05, 5}, Case{dop853, 0.1, 8}, Case{rkn64, 0.1, 5},
+                        Case{nystrom8, 0.2, 7}, Case{nystrom12, 0.25, 11}, Case{rungeKuttaChebyshev2, 0.01, 3}}) {
     const auto method = c.make();
     EXPECT_TRUE(method->info().adaptive);
     method->prepare(system, {.relative = 1.0});
@@ -273,7 +284,7 @@ TEST(ErrorEstimate, FollowsTheErrorAndBoundsIt) {
 // 4 ulp of a state of size 1, adds 1e-15 to the 1e-6 that is allowed: 1e-9 of the ratio.
 TEST(ErrorEstimate, IsInPartsOfTheMotionAndOfTheTolerance) {
   const Pendulum system;
-  for (const Make make : {dormandPrince5, dop853, nystrom8, nystrom12, rungeKuttaChebyshev2}) {
+  for (const Make make : {dormandPrince5, dop853, rkn64, nystrom8, nystrom12, rungeKuttaChebyshev2}) {
     const auto method = make();
     State to;
     const auto error = [&](double tolerance, const ErrorScale& scale) {
@@ -289,9 +300,16 @@ TEST(ErrorEstimate, IsInPartsOfTheMotionAndOfTheTolerance) {
   }
 }
 
+/// Damped as a spring is, not by drag.
+class SpringDamped : public LinearSystem {
+ public:
+  SpringDamped() : LinearSystem(1.0, 0.1) {}
+  const Drag* drag() const override { return nullptr; }
+};
+
 TEST(Nystrom, NeedsAForceWithoutVelocity) {
-  const LinearSystem damped(1.0, 0.1);
-  for (const Make make : {nystrom8, nystrom12}) {
+  const SpringDamped damped;
+  for (const Make make : {rkn64, nystrom8, nystrom12, takahashiImada}) {
     EXPECT_TRUE(make()->info().needs.velocityFreeForce);
     try {
       make()->prepare(damped, {});

@@ -27,21 +27,39 @@ MethodInfo dop853Info() {
 }
 
 /// Weights of the embedded third order: on stages 1, 9 and 12.
-constexpr double third[] = {0.244094488188976377952755905512, 0.733846688281611857341361741547,
-                            0.220588235294117647058823529412e-1};
+constexpr long double third[] = {0.244094488188976377952755905512L, 0.733846688281611857341361741547L,
+                                 0.220588235294117647058823529412e-1L};
+
+/// The order 5 estimate comes first, then that of order 3.
+Coefficients toThird() {
+  Coefficients weights = dop853Tableau().b;
+  weights[0] -= third[0];
+  weights[8] -= third[1];
+  weights[11] -= third[2];
+  return weights;
+}
 
 class DormandPrince853 : public ExplicitRungeKutta {
  public:
-  DormandPrince853() : ExplicitRungeKutta(dop853Info(), dop853Tableau()) {
+  DormandPrince853() : ExplicitRungeKutta(dop853Info(), dop853Tableau(), toThird()) {
+    const ButcherTableau tableau = dop853Tableau();
     const DenseTableau dense = dop853Dense();
-    for (std::size_t i = 0; i < 3; ++i) extra_[i] = rounded(dense.a[i]);
-    for (std::size_t i = 0; i < 4; ++i) dense_[i] = rounded(dense.d[i]);
-    times_ = rounded(dense.c);
-    for (std::size_t j = 0; j < 12; ++j) toThird_[j] = weights()[j];
-    toThird_[0] -= third[0];
-    toThird_[8] -= third[1];
-    toThird_[11] -= third[2];
-    reserveSlopes(4);
+    rows_ = tableau.a;
+    rows_.push_back(tableau.b);
+    for (std::size_t i = 0; i < 3; ++i) {
+      extra_[i] = StageSum(squared(dense.a[i], rows_), dense.a[i]);
+      rows_.push_back(dense.a[i]);
+      times_[i] = static_cast<double>(dense.c[i]);
+    }
+    for (std::size_t i = 0; i < 4; ++i) dense_[i] = dense.d[i];
+    weights_ = tableau.b;
+    reserve(4);
+  }
+
+  void prepare(const DynamicalSystem& system, const Tolerance& tolerance) override {
+    ExplicitRungeKutta::prepare(system, tolerance);
+    x_.assign(lanes(), 0.0);
+    v_.assign(lanes(), 0.0);
   }
 
   StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
@@ -53,42 +71,47 @@ class DormandPrince853 : public ExplicitRungeKutta {
                    State& out) override {
     const double h = to.t - from.t;
     prepareDense(system, from, to, h);
-    const double rest = 1.0 - theta;
-    double sum[16];
+    const long double at = theta, rest = 1.0L - at;
+    Coefficients weights(16);
+    long double all = 0.0L;
     for (std::size_t j = 0; j < 16; ++j) {
-      const double b = j < 12 ? weights()[j] : 0.0;
-      const double start = (j == 0 ? 1.0 : 0.0) - b;
-      const double end = b - (j == 12 ? 1.0 : 0.0) - start;
-      const double tail = dense_[0][j] + theta * (dense_[1][j] + rest * (dense_[2][j] + theta * dense_[3][j]));
-      sum[j] = theta * (b + rest * (start + theta * (end + rest * tail)));
+      const long double b = j < 12 ? weights_[j] : 0.0L;
+      const long double start = (j == 0 ? 1.0L : 0.0L) - b;
+      const long double end = b - (j == 12 ? 1.0L : 0.0L) - start;
+      const long double tail = dense_[0][j] + at * (dense_[1][j] + rest * (dense_[2][j] + at * dense_[3][j]));
+      weights[j] = at * (b + rest * (start + at * (end + rest * tail)));
+      all += weights[j];
     }
     prepareResult(from, theta * h, out);
-    combine(sum, from, h, out.x, out.v);
+    sum(StageSum(squared(weights, rows_), weights), static_cast<double>(all), from, h, out.x, out.v);
+    system.place(out.t, from.z, out.x, out.v);
   }
 
  protected:
   /// Hairer's combination: the fifth-order estimate, reduced where the third-order one says that it is overcautious.
-  double error(const State& from, const State& to, double h) const override {
-    const double fifth = ExplicitRungeKutta::error(from, to, h);
-    const double wide = largestError(toThird_, from, to, h);
+  double combined(const StageEnd& end) const override {
+    const double fifth = end.largest[0], wide = end.largest[1];
     const double denominator = std::sqrt(fifth * fifth + 0.01 * wide * wide);
     return denominator == 0.0 ? 0.0 : fifth * fifth / denominator;
   }
 
  private:
-  /// The slope at the end and the three stages of the dense output, once a step and only when asked for.
+  /// The acceleration at the end and the three stages of the dense output, once a step and only when asked for.
   void prepareDense(const DynamicalSystem& system, const State& from, const State& to, double h) {
     if (denseReady_) return;
-    ensureEndSlope(system, from, to);
+    ensureEnd(system, from, to);
     for (std::size_t i = 0; i < 3; ++i) {
-      combine(extra_[i], from, h, stagePosition(), velocity(13 + i));
-      evaluate(system, from.t + times_[i] * h, stagePosition(), from.z, 13 + i);
+      sum(extra_[i], times_[i], from, h, x_, v_);
+      evaluate(system, from.t + times_[i] * h, x_, v_, from.z, 13 + i);
     }
     denseReady_ = true;
   }
 
-  std::vector<double> extra_[3], dense_[4], times_;
-  double toThird_[12] = {};
+  StageSum extra_[3];
+  double times_[3] = {};
+  std::vector<Coefficients> rows_;  ///< of all 16 slopes
+  Coefficients dense_[4], weights_;
+  std::vector<double> x_, v_;
   bool denseReady_ = false;
 };
 

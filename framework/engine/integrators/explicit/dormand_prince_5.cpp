@@ -30,25 +30,30 @@ class DormandPrince5 : public ExplicitRungeKutta {
  public:
   DormandPrince5() : ExplicitRungeKutta(dormandPrince5Info(), dormandPrince5Tableau()) {}
 
-  void interpolate(const DynamicalSystem&, const State& from, const State& to, double theta, State& out) override {
+  void interpolate(const DynamicalSystem& system, const State& from, const State& to, double theta,
+                   State& out) override {
     // Weights of the fourth coefficient (Shampine's choice, as in the code DOPRI5 of Hairer and Wanner).
-    constexpr double d[] = {-12715105075.0 / 11282082432.0,  0.0,
-                            87487479700.0 / 32700410799.0,   -10690763975.0 / 1880347072.0,
-                            701980252875.0 / 199316789632.0, -1453857185.0 / 822651844.0,
-                            69997945.0 / 29380423.0};
-    const double rest = 1.0 - theta;
-    double sum[7];
+    constexpr long double d[] = {-12715105075.0L / 11282082432.0L,  0.0L,
+                                 87487479700.0L / 32700410799.0L,   -10690763975.0L / 1880347072.0L,
+                                 701980252875.0L / 199316789632.0L, -1453857185.0L / 822651844.0L,
+                                 69997945.0L / 29380423.0L};
+    const long double at = theta, rest = 1.0L - at;
+    Coefficients weights(7);
+    long double all = 0.0L;
     for (std::size_t j = 0; j < 7; ++j) {
-      const double b = weights()[j];
-      const double first = j == 0 ? 1.0 : 0.0;
-      const double last = j == 6 ? 1.0 : 0.0;
-      const double start = first - b;
-      sum[j] = theta * (b + rest * (start + theta * (b - last - start + rest * d[j])));
+      const long double b = tableau_.b[j], first = j == 0 ? 1.0L : 0.0L, last = j == 6 ? 1.0L : 0.0L;
+      const long double start = first - b;
+      weights[j] = at * (b + rest * (start + at * (b - last - start + rest * d[j])));
+      all += weights[j];
     }
     const double h = to.t - from.t;
     prepareResult(from, theta * h, out);
-    combine(sum, from, h, out.x, out.v);
+    sum(StageSum(squared(weights, tableau_.a), weights), static_cast<double>(all), from, h, out.x, out.v);
+    system.place(out.t, from.z, out.x, out.v);
   }
+
+ private:
+  ButcherTableau tableau_ = dormandPrince5Tableau();
 };
 
 }  // namespace

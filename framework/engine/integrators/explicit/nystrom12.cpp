@@ -15,7 +15,8 @@ MethodInfo nystrom12Info() {
   info.imaginaryLimit = 8.326201053660949152;
   info.source += ": RKN12(10)17M";
   info.remark =
-      "undamped, smooth scenes to the last digits: steps of a sixth of a period at round-off; the reference of choice "
+      "smooth scenes damped by drag (exact) or not at all, to the last digits: steps of a sixth of a period at "
+      "round-off; the reference of choice "
       "there. Events and kinks waste it";
   return info;
 }

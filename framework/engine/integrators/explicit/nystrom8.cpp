@@ -14,7 +14,8 @@ MethodInfo nystrom8Info() {
   info.imaginaryLimit = 3.1402541625390064973;
   info.source += ": RKN8(6)9FM";
   info.remark =
-      "undamped scenes at tight tolerances (1e-8 to 1e-12): order 8 for eight forces a step. Energy and angular "
+      "scenes damped by drag (exact) or not at all at tight tolerances (1e-8 to 1e-12): order 8 for eight forces a "
+      "step. Energy and angular "
       "momentum drift by its own error";
   return info;
 }

@@ -84,7 +84,7 @@ class RungeKuttaChebyshev2 : public Integrator {
     system.place(to.t, from.z, to.x, to.v);
     evaluate(system, to.t, to.x, to.v, from.z, end_);
     endMark_.set(to);
-    return finiteOrFailure(system, from, to, error(from, to, h));
+    return finiteOrFailure(system, from, to, error(system.inverseMass(), from, to, h));
   }
 
  private:
@@ -155,13 +155,14 @@ class RungeKuttaChebyshev2 : public Integrator {
   }
 
   /// 0.8 (y_n - y_n+1) + 0.4 h (y'_n + y'_n+1).
-  double error(const State& from, const State& to, double h) const {
+  double error(std::span<const double> inverseMass, const State& from, const State& to, double h) const {
     double largest = 0.0;
     const auto look = [&](double y0, double y1, double slopes, double scale) {
       const double estimate = 0.8 * (y0 - y1) + 0.4 * h * slopes;
       largest = larger(largest, errorRatio(estimate, y0, y1, tolerance_.relative * scale));
     };
     for (std::size_t i = 0; i < size_; ++i) {
+      if (inverseMass[i] == 0.0) continue;  // moved
       look(from.x[i], to.x[i], from.v[i] + to.v[i], errorScale_.position);
       look(from.v[i], to.v[i], start_[i] + end_[i], errorScale_.velocity);
     }

@@ -1,4 +1,5 @@
 #include "engine/integrators/explicit/engines/combination.h"
+#include "engine/integrators/explicit/engines/stage_kernels.h"
 #include "engine/integrators/explicit/methods.h"
 
 namespace muelle::engine {
@@ -33,17 +34,18 @@ class SymplecticEuler : public Integrator {
   }
 
   void prepare(const DynamicalSystem& system, const Tolerance&) override {
-    acceleration_.resize(static_cast<std::size_t>(system.storage()));
+    acceleration_.assign(static_cast<std::size_t>(system.storage()), 0.0);
   }
 
   StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
     prepareResult(from, h, to);
     system.acceleration(from.t, from.x, from.v, from.z, acceleration_);
     ++work_.forceEvaluations;
-    for (std::size_t i = 0; i < acceleration_.size(); ++i) {
-      to.v[i] = from.v[i] + h * acceleration_[i];
-      to.x[i] = from.x[i] + h * to.v[i];
-    }
+    const double notFinite = stageKernels(acceleration_.size())
+                                 .kickDrift(acceleration_.size(), from.x.data(), from.v.data(), acceleration_.data(), h,
+                                            to.x.data(), to.v.data());
+    system.place(to.t, from.z, to.x, to.v);
+    if (notFinite == 0.0) return {};
     return finiteOrFailure(system, from, to, 0.0);
   }
 

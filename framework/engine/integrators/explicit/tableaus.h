@@ -48,6 +48,7 @@ ButcherTableau rungeKutta4Tableau();
 ButcherTableau dormandPrince5Tableau();
 ButcherTableau dop853Tableau();
 DenseTableau dop853Dense();
+NystromTableau rkn64Tableau();
 NystromTableau nystrom8Tableau();
 NystromTableau nystrom12Tableau();
 

@@ -55,13 +55,6 @@ double Combination::largestError(double scale, In from, In to, double allowed) c
   return largest;
 }
 
-void prepareResult(const State& from, double h, State& to) {
-  to.x.resize(from.x.size());
-  to.v.resize(from.v.size());
-  to.z = from.z;
-  to.t = from.t + h;
-}
-
 int firstNotFinite(In values) {
   // The sum first: it is one pass without a branch, and nearly always suffices.
   double zeros = 0.0;
@@ -69,6 +62,14 @@ int firstNotFinite(In values) {
   if (zeros == 0.0) return -1;
   const auto at = std::find_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
   return static_cast<int>(at - values.begin());
+}
+
+std::string laneName(const DynamicalSystem& system, int lane) {
+  const std::span<const int> lanes = system.lanes();
+  if (lanes.empty()) return system.unknownName(lane);
+  const auto at = std::lower_bound(lanes.begin(), lanes.end(), lane);
+  if (at == lanes.end() || *at != lane) return fmt::format("lane {}, which is held", lane);
+  return system.unknownName(static_cast<int>(at - lanes.begin()));
 }
 
 StepResult finiteOrFailure(const DynamicalSystem& system, const State& from, const State& to, double error) {

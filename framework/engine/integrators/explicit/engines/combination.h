@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 
 namespace muelle::engine {
 
@@ -55,7 +56,15 @@ inline double errorRatio(double estimate, double from, double to, double allowed
 inline double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
 /// Sets the sizes, z and time of the result of a step of h.
-void prepareResult(const State& from, double h, State& to);
+inline void prepareResult(const State& from, double h, State& to) {
+  to.x.resize(from.x.size());
+  to.v.resize(from.v.size());
+  if (!from.z.empty() || !to.z.empty()) to.z = from.z;
+  to.t = from.t + h;
+}
+
+/// The unknown of a lane in the user's words.
+std::string laneName(const DynamicalSystem& system, int lane);
 
 /// Index of the first entry that is not finite, or -1.
 int firstNotFinite(In values);

@@ -12,10 +12,11 @@ Composition::Composition(MethodInfo info, const Coefficients& fractions)
 
 void Composition::prepare(const DynamicalSystem& system, const Tolerance&) {
   kick_.prepare(system);
-  for (std::vector<double>* array : {&predicted_, &dx_, &dv_}) array->resize(system.mass().size());
+  for (std::vector<double>* array : {&predicted_, &dx_, &dv_})
+    array->assign(static_cast<std::size_t>(system.storage()), 0.0);
   for (DragFactors& factors : factors_) {
     factors.forget();
-    if (const Drag* drag = system.drag()) factors.update(*drag, system.mass(), 0.0);
+    if (system.drag() != nullptr) factors.update(system, 0.0);
   }
 }
 
@@ -31,8 +32,8 @@ void Composition::kickAndDrift(const DynamicalSystem& system, const State& from,
                                DragFactors& factors, State& to) {
   const double* a = kick_.acceleration();
   const std::size_t n = dx_.size();
-  if (const Drag* drag = system.drag()) {
-    factors.update(*drag, system.mass(), h);
+  if (system.drag() != nullptr) {
+    factors.update(system, h);
     for (std::size_t i = 0; i < n; ++i) {
       dv_[i] += kick * a[i];
       const double v = from.v[i] + dv_[i];
@@ -75,7 +76,9 @@ StepResult Composition::step(const DynamicalSystem& system, const State& from, d
     }
   }
   kick(from, pending, to);
-  kick_.finish(to);
+  system.place(to.t, from.z, to.x, to.v);
+  // A force at a predicted velocity is not that of the end state: it is not kept.
+  if (!kick_.usesVelocity()) kick_.finish(to);
   return finiteOrFailure(system, from, to, 0.0);
 }
 

@@ -4,14 +4,19 @@
 
 namespace muelle::engine {
 
-void DragFactors::update(const Drag& drag, std::span<const double> mass, double h) {
-  if (h == h_ && factors_.size() == mass.size()) return;
+void DragFactors::update(const DynamicalSystem& system, double h) {
+  const std::span<const double> w = system.inverseMass();
+  if (h == h_ && factors_.size() == w.size()) return;
   h_ = h;
-  factors_.resize(mass.size());
-  const std::span<const double> d = drag.coefficients();
-  for (std::size_t i = 0; i < mass.size(); ++i) {
-    const double c = mass[i] > 0.0 ? h * d[i] / mass[i] : 0.0;
+  factors_.resize(w.size());
+  const std::span<const double> d = system.drag()->coefficients();
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    const double c = h * d[i] * w[i];
     Factors& f = factors_[i];
+    if (i > 0 && d[i] * w[i] == d[i - 1] * w[i - 1]) {
+      f = factors_[i - 1];
+      continue;
+    }
     f.decay = std::exp(-c);
     f.loss = std::expm1(-c);
     f.phi1 = c == 0.0 ? 1.0 : -f.loss / c;

@@ -5,12 +5,12 @@
 
 namespace muelle::engine {
 
-/// The factors with which a linear drag d_i acts during h, c = h d_i / m_i (h may be negative):
+/// The factors with which a linear drag d_i acts on lane i during h, c = h d_i / m_i (h may be negative):
 /// decay = exp(-c), phi1 = (1 - decay) / c, phi2 = (1 - phi1) / c. Without drag they are 1, 1 and 1/2.
 class DragFactors {
  public:
   /// Sets the factors; does nothing when h is the same as in the last call.
-  void update(const Drag& drag, std::span<const double> mass, double h);
+  void update(const DynamicalSystem& system, double h);
   void forget() { h_ = 0.0; }
 
   /// decay - 1, without cancellation.

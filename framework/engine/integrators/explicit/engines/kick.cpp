@@ -32,9 +32,6 @@ void Kick::start(const DynamicalSystem& system, const State& from, Work& work) {
   if (!kept) evaluate(system, from.t, from.x, from.v, from.z, work);
 }
 
-void Kick::finish(const State& to) {
-  // A force at a predicted velocity is not that of the end state: it is not kept.
-  if (!usesVelocity_) end_.set(to);
-}
+void Kick::finish(const State& to) { end_.set(to); }
 
 }  // namespace muelle::engine

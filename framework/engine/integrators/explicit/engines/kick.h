@@ -17,7 +17,7 @@ class Kick {
   void evaluate(const DynamicalSystem& system, double t, In x, In v, In z, Work& work);
   /// Acceleration at the start of a step: the one kept from the accepted step before, when `from` is its end.
   void start(const DynamicalSystem& system, const State& from, Work& work);
-  /// The present acceleration is that of the end of a step.
+  /// The present acceleration is the one that the step after `to` begins with.
   void finish(const State& to);
   void accept() { accepted_ = true; }
 

@@ -23,15 +23,21 @@ class StateMark {
   }
   void clear() { set_ = false; }
   bool matches(const State& state) const {
-    if (!set_ || !near(t_, state.t)) return false;
+    if (!set_) return false;
+    bool same = t_ == state.t;
+    for (int i = 0; i < samples; ++i) same = same & (x_[i] == sample(state.x, i)) & (v_[i] == sample(state.v, i));
+    return same || isNear(state);
+  }
+
+ private:
+  bool isNear(const State& state) const {
+    if (!near(t_, state.t)) return false;
     for (int i = 0; i < samples; ++i) {
       if (!near(x_[i], sample(state.x, i)) || !near(v_[i], sample(state.v, i))) return false;
     }
     return true;
   }
-
- private:
-  static constexpr int samples = 5;
+  static constexpr int samples = 3;
   static bool near(double a, double b) {
     return std::abs(a - b) <= 4.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
   }

@@ -1,0 +1,172 @@
+#include "engine/integrators/explicit/engines/stage_integrator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace muelle::engine {
+
+Coefficients squared(const Coefficients& w, const std::vector<Coefficients>& a) {
+  Coefficients sum(w.size(), 0.0L), size(w.size(), 0.0L);
+  for (std::size_t i = 0; i < w.size() && i < a.size(); ++i) {
+    for (std::size_t j = 0; j < a[i].size(); ++j) {
+      sum[j] += w[i] * a[i][j];
+      size[j] += std::abs(w[i] * a[i][j]);
+    }
+  }
+  for (std::size_t j = 0; j < sum.size(); ++j) {
+    if (std::abs(sum[j]) < 1e-15L * size[j]) sum[j] = 0.0L;
+  }
+  return sum;
+}
+
+AccelerationTableau accelerationTableau(const NystromTableau& tableau) {
+  return {.c = tableau.c,
+          .ax = tableau.a,
+          .av = {},
+          .bx = tableau.b,
+          .bv = tableau.bv,
+          .ex = {tableau.error},
+          .ev = {tableau.errorv},
+          .firstSameAsLast = tableau.firstSameAsLast};
+}
+
+AccelerationTableau accelerationTableau(const ButcherTableau& tableau, const Coefficients& more) {
+  AccelerationTableau result{.c = tableau.c,
+                             .ax = {},
+                             .av = tableau.a,
+                             .bx = squared(tableau.b, tableau.a),
+                             .bv = tableau.b,
+                             .ex = {},
+                             .ev = {},
+                             .firstSameAsLast = tableau.firstSameAsLast};
+  for (const Coefficients& row : tableau.a) result.ax.push_back(squared(row, tableau.a));
+  for (const Coefficients* weights : {&tableau.error, &more}) {
+    if (weights->empty()) continue;
+    result.ex.push_back(squared(*weights, tableau.a));
+    result.ev.push_back(*weights);
+  }
+  return result;
+}
+
+StageIntegrator::StageIntegrator(MethodInfo info, const AccelerationTableau& tableau)
+    : info_(std::move(info)),
+      c_(rounded(tableau.c)),
+      end_(tableau.bx, tableau.bv, tableau.ex, tableau.ev),
+      velocities_(!tableau.av.empty()),
+      firstSameAsLast_(tableau.firstSameAsLast) {
+  for (std::size_t i = 0; i < c_.size(); ++i) {
+    sums_.emplace_back(tableau.ax[i], velocities_ ? tableau.av[i] : Coefficients{});
+  }
+}
+
+void StageIntegrator::prepare(const DynamicalSystem& system, const Tolerance& tolerance) {
+  tolerance_ = tolerance;
+  size_ = static_cast<std::size_t>(system.storage());
+  kernels_ = &stageKernels(size_);
+  const std::size_t count = stages() + extra_;
+  // Each begins a line of the cache, so that a register's load never spans two.
+  constexpr std::size_t line = 8;
+  const std::size_t stride = (size_ + line - 1) / line * line;
+  memory_.assign((count + 2) * stride + line, 0.0);
+  const auto address = reinterpret_cast<std::uintptr_t>(memory_.data()) / sizeof(double);
+  double* const first = memory_.data() + (line - address % line) % line;
+  accelerations_.resize(count);
+  for (std::size_t j = 0; j < count; ++j) accelerations_[j] = first + stride * j;
+  x_ = first + stride * count;
+  v_ = x_ + stride;
+  zeros_.assign(size_, 0.0);
+  restart();
+}
+
+void StageIntegrator::restart() {
+  startMark_.clear();
+  endMark_.clear();
+  accepted_ = endKnown_ = false;
+}
+
+void StageIntegrator::evaluate(const DynamicalSystem& system, double t, Out x, Out v, In z, std::size_t j) {
+  system.place(t, z, x, v);
+  system.acceleration(t, x, v, z, acceleration(j));
+  ++work_.forceEvaluations;
+}
+
+void StageIntegrator::provideFirst(const DynamicalSystem& system, const State& from) {
+  const bool goesOn = accepted_ && endKnown_ && endMark_.matches(from);
+  const bool again = !goesOn && startMark_.matches(from);
+  accepted_ = endKnown_ = false;
+  endMark_.clear();
+  if (goesOn) {
+    std::swap(accelerations_[0], accelerations_[firstSameAsLast_ ? stages() - 1 : stages()]);
+  } else if (!again) {
+    system.acceleration(from.t, from.x, from.v, from.z, acceleration(0));
+    ++work_.forceEvaluations;
+  }
+  startMark_.set(from);
+}
+
+void StageIntegrator::recallFirst(const DynamicalSystem& system, const State& from) {
+  if (startMark_.matches(from)) return;
+  system.acceleration(from.t, from.x, from.v, from.z, acceleration(0));
+  ++work_.forceEvaluations;
+  startMark_.set(from);
+}
+
+void StageIntegrator::sum(const StageSum& weights, double c, const State& from, double h, Out x, Out v) {
+  const StageBase base{size_, from.x.data(), from.v.data(), h};
+  kernels_->stage(base, weights.over(accelerations_), c, x.data(), v.data());
+}
+
+StageEnd StageIntegrator::advance(const DynamicalSystem& system, const State& from, double h, State& to) {
+  prepareResult(from, h, to);
+  const StageBase base{size_, from.x.data(), from.v.data(), h};
+  // A method that needs no velocities is given some all the same: those at the start.
+  if (!velocities_) std::copy(from.v.begin(), from.v.end(), v_);
+  for (std::size_t i = 1; i < stages(); ++i) {
+    const bool atEnd = firstSameAsLast_ && i + 1 == stages();
+    double* const x = atEnd ? to.x.data() : x_;
+    double* const v = velocities_ && atEnd ? to.v.data() : v_;
+    kernels_->stage(base, sums_[i].over(accelerations_), c_[i], x, velocities_ ? v : nullptr);
+    evaluate(system, from.t + c_[i] * h, {x, size_}, {v, size_}, from.z, i);
+  }
+  StageEnd end;
+  const auto estimates = end_.estimatesOver();
+  kernels_->end(base, end_.over(accelerations_), estimates.data(), end_.estimates(),
+                tolerance_.relative * errorScale_.position, tolerance_.relative * errorScale_.velocity, to.x.data(),
+                to.v.data(), end);
+  system.place(to.t, from.z, to.x, to.v);
+  return end;
+}
+
+StepResult StageIntegrator::step(const DynamicalSystem& system, const State& from, double h, State& to) {
+  provideFirst(system, from);
+  const StageEnd end = advance(system, from, h, to);
+  endMark_.set(to);
+  endKnown_ = firstSameAsLast_;
+  if (end.notFinite == 0.0) return {.done = true, .error = combined(end), .failure = {}};
+  return finiteOrFailure(system, from, to, std::nan(""));
+}
+
+void StageIntegrator::increments(const State& from, double h, State& increment) {
+  const StageTerms terms = end_.over(accelerations_);
+  kernels_->stage({size_, zeros_.data(), zeros_.data(), h}, terms, 0.0, x_, increment.v.data());
+  kernels_->stage({size_, zeros_.data(), from.v.data(), h}, terms, 1.0, increment.x.data(), nullptr);
+}
+
+StepResult StageIntegrator::stepIncrement(const DynamicalSystem& system, const State& from, double h,
+                                          State& increment) {
+  StepResult result = step(system, from, h, increment);
+  increments(from, h, increment);
+  return result;
+}
+
+void StageIntegrator::ensureEnd(const DynamicalSystem& system, const State& from, const State& to) {
+  if (endKnown_) return;
+  // With the internal variables of the step: those of `to` may already be the next one's.
+  system.acceleration(to.t, to.x, to.v, from.z, acceleration(firstSameAsLast_ ? stages() - 1 : stages()));
+  ++work_.forceEvaluations;
+  endKnown_ = true;
+}
+
+}  // namespace muelle::engine
