@@ -18,17 +18,13 @@ double massNorm(In vector, std::span<const double> mass) {
 void SpectralBound::prepare(const DynamicalSystem& system) {
   const auto n = static_cast<std::size_t>(system.storage());
   perturbed_.resize(n);
-  force_.resize(n);
+  changed_.resize(n);
   for (Iteration* iteration : {&stiffness_, &damping_}) {
     iteration->direction.resize(n);
     // Any vector with a part in every mode: the golden ratio's multiples are spread evenly, and the same in every run.
     for (std::size_t i = 0; i < n; ++i) {
       const double spread = 0.6180339887498949 * static_cast<double>(i + 1);
-      iteration->direction[i] = spread - std::floor(spread) - 0.4;
-    }
-    const std::span<const double> w = system.inverseMass();
-    for (std::size_t i = 0; i < n; ++i) {
-      if (w[i] == 0.0) iteration->direction[i] = 0.0;  // held
+      iteration->direction[i] = system.inverseMass()[i] > 0.0 ? spread - std::floor(spread) - 0.4 : 0.0;
     }
     const double norm = massNorm(iteration->direction, system.mass());
     for (double& entry : iteration->direction) entry /= norm;
@@ -52,14 +48,14 @@ double SpectralBound::iterate(const DynamicalSystem& system, const State& state,
   const double epsilon = 1.5e-8 * std::max(size, 1e-3) / reach;
   for (std::size_t i = 0; i < base.size(); ++i) perturbed_[i] = base[i] + epsilon * iteration.direction[i];
   system.acceleration(state.t, ofVelocity ? In(state.x) : In(perturbed_), ofVelocity ? In(perturbed_) : In(state.v),
-                      state.z, force_);
+                      state.z, changed_);
   ++work.forceEvaluations;
-  for (std::size_t i = 0; i < base.size(); ++i) force_[i] = (force_[i] - acceleration[i]) / epsilon;
-  const double found = massNorm(force_, mass);
+  for (std::size_t i = 0; i < base.size(); ++i) changed_[i] = (changed_[i] - acceleration[i]) / epsilon;
+  const double found = massNorm(changed_, mass);
   const double change = std::abs(found - iteration.eigenvalue) / std::max(found, 1e-300);
   iteration.eigenvalue = found;
   if (found > 0.0 && std::isfinite(found)) {
-    for (std::size_t i = 0; i < base.size(); ++i) iteration.direction[i] = force_[i] / found;
+    for (std::size_t i = 0; i < base.size(); ++i) iteration.direction[i] = changed_[i] / found;
   }
   return found > 0.0 ? change : 0.0;
 }
