@@ -1,0 +1,13 @@
+#include "engine/kernels/loops/lanes_2.h"
+#include "engine/kernels/loops/lanes_8.h"
+#include "engine/kernels/loops/table.h"
+#include "engine/kernels/loops/tables.h"
+
+namespace muelle::engine::kernels {
+
+const Kernels& avx512Kernels() {
+  static const Kernels table = tableOf<Lanes8, Lanes8>();
+  return table;
+}
+
+}  // namespace muelle::engine::kernels

@@ -1,0 +1,103 @@
+#pragma once
+/// \file
+/// Two springs or nodes at a time: registers of two doubles, which every processor has or the compiler makes.
+
+#include <cstddef>
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace muelle::engine::kernels {
+namespace {
+
+using Two = double __attribute__((vector_size(16)));
+/// For loads and stores at any address of a double. (memcpy into a vector type is far slower with g++ 12.)
+using LooseTwo = double __attribute__((vector_size(16), aligned(8), may_alias));
+using TwoBits = long long __attribute__((vector_size(16)));
+
+struct Lanes2 {
+  using Vector = Two;
+  static constexpr std::size_t width = 2;
+
+  static Vector load(const double* p) { return *reinterpret_cast<const LooseTwo*>(p); }
+  static void store(double* p, Vector v) { *reinterpret_cast<LooseTwo*>(p) = v; }
+  static Vector all(double value) { return Vector{value, value}; }
+
+  static Vector root(Vector a) {
+#if defined(__SSE2__)
+    return reinterpret_cast<Vector>(_mm_sqrt_pd(reinterpret_cast<__m128d>(a)));
+#else
+    return Vector{__builtin_sqrt(a[0]), __builtin_sqrt(a[1])};
+#endif
+  }
+  static Vector magnitude(Vector a) {
+    const TwoBits mask = {0x7fffffffffffffffLL, 0x7fffffffffffffffLL};
+    return reinterpret_cast<Vector>(reinterpret_cast<TwoBits>(a) & mask);
+  }
+  /// `value`, with its sign turned where `sign` is below 0, and 0 where that is 0.
+  static Vector withSign(Vector value, Vector sign) {
+    const TwoBits top = {static_cast<long long>(1ULL << 63), static_cast<long long>(1ULL << 63)};
+    const TwoBits bits = reinterpret_cast<TwoBits>(value) ^ (reinterpret_cast<TwoBits>(sign) & top);
+    return reinterpret_cast<Vector>(bits & (sign != 0.0));
+  }
+  static Vector whereNotZero(Vector condition, Vector value) {
+    return reinterpret_cast<Vector>(reinterpret_cast<TwoBits>(value) & (condition != 0.0));
+  }
+  static Vector largerOfZeroAnd(Vector a) { return reinterpret_cast<Vector>(reinterpret_cast<TwoBits>(a) & (a > 0.0)); }
+
+  /// Whether all a > low and |b| < high.
+  static bool allWithin(Vector a, double low, Vector b, double high) {
+    const TwoBits good = (a > low) & (magnitude(b) < high);
+    return (good[0] & good[1]) != 0;
+  }
+  static bool anyPositive(Vector a) {
+    const TwoBits is = a > 0.0;
+    return (is[0] | is[1]) != 0;
+  }
+
+  static Vector firsts(Vector a, Vector b) {
+#if defined(__SSE2__)
+    return reinterpret_cast<Vector>(_mm_unpacklo_pd(reinterpret_cast<__m128d>(a), reinterpret_cast<__m128d>(b)));
+#else
+    return Vector{a[0], b[0]};
+#endif
+  }
+  static Vector seconds(Vector a, Vector b) {
+#if defined(__SSE2__)
+    return reinterpret_cast<Vector>(_mm_unpackhi_pd(reinterpret_cast<__m128d>(a), reinterpret_cast<__m128d>(b)));
+#else
+    return Vector{a[1], b[1]};
+#endif
+  }
+
+  /// Components of the differences of padded nodes, d[c] those of all lanes.
+  template <int D>
+  static void differences(const double* values, const int* a, const int* b, Vector* d) {
+    static_assert(D == 2 || D == 3);
+    const Vector first = load(values + a[0]) - load(values + b[0]);
+    const Vector second = load(values + a[1]) - load(values + b[1]);
+    d[0] = firsts(first, second);
+    d[1] = seconds(first, second);
+    if constexpr (D == 3) {
+      d[2] =
+          firsts(load(values + a[0] + 2) - load(values + b[0] + 2), load(values + a[1] + 2) - load(values + b[1] + 2));
+    }
+  }
+
+  static void addAndSubtract(double* f, int a, int b, Vector F) {
+    store(f + a, load(f + a) + F);
+    store(f + b, load(f + b) - F);
+  }
+
+  /// Adds F to the nodes a and subtracts it from the nodes b, one spring after another.
+  template <int D>
+  static void scatter(const Vector* F, double* f, const int* a, const int* b) {
+    addAndSubtract(f, a[0], b[0], firsts(F[0], F[1]));
+    if constexpr (D == 3) addAndSubtract(f, a[0] + 2, b[0] + 2, firsts(F[2], Vector{}));
+    addAndSubtract(f, a[1], b[1], seconds(F[0], F[1]));
+    if constexpr (D == 3) addAndSubtract(f, a[1] + 2, b[1] + 2, seconds(F[2], Vector{}));
+  }
+};
+
+}  // namespace
+}  // namespace muelle::engine::kernels
