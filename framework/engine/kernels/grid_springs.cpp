@@ -11,7 +11,7 @@ namespace muelle::engine::kernels {
 namespace {
 
 constexpr std::size_t cacheLine = 8;  // doubles
-constexpr std::size_t usualBlock = 256;
+constexpr std::size_t usualBlock = 1024;
 
 std::size_t roundedUp(std::size_t value, std::size_t unit) { return (value + unit - 1) / unit * unit; }
 

@@ -6,7 +6,7 @@
 namespace muelle::engine::kernels {
 
 const Kernels& avx512Kernels() {
-  static const Kernels table = tableOf<Lanes8, Lanes8>();
+  static const Kernels table = tableOf<Lanes8, Lanes4>();
   return table;
 }
 

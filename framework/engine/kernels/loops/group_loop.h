@@ -14,7 +14,7 @@ template <int D>
 inline constexpr int lanesOfNode = D == 3 ? 4 : D;
 
 template <int D, bool relative, bool projected>
-void addOneSpring(const SpringArrays& s, std::size_t i, const double* x, const double* v, double* f) {
+void addOneSpring(SpringArrays s, std::size_t i, const double* x, const double* v, double* f) {
   double d[D], w[D] = {}, F[D];
   for (int c = 0; c < D; ++c) d[c] = x[s.a[i] + c] - x[s.b[i] + c];
   if constexpr (relative || projected) {
@@ -27,7 +27,8 @@ void addOneSpring(const SpringArrays& s, std::size_t i, const double* x, const d
 }
 
 template <class Lanes, int D, bool relative, bool projected>
-void addSprings(const SpringArrays& s, const double* x, const double* v, double* f) {
+void addSprings(const SpringArrays& springs, const double* x, const double* v, double* f) {
+  const SpringArrays s = springs;  // a store could change what a reference leads to, as far as the compiler knows
   using Vector = typename Lanes::Vector;
   constexpr std::size_t width = Lanes::width;
   std::size_t i = 0;

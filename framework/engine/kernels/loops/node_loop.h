@@ -24,7 +24,9 @@ inline void finishPlanar(const PlanarFinish& finish, std::size_t c, std::size_t 
 
 /// Sums over the runs, for the nodes [begin, end): end - begin is a multiple of 8.
 template <class Lanes, int D>
-void planarPass(const NodeSums& sums, const PlanarFinish& finish, std::size_t begin, std::size_t end) {
+void planarPass(const NodeSums& nodeSums, const PlanarFinish& planarFinish, std::size_t begin, std::size_t end) {
+  const NodeSums sums = nodeSums;  // a store could change what a reference leads to, as far as the compiler knows
+  const PlanarFinish finish = planarFinish;
   using Vector = typename Lanes::Vector;
   constexpr std::size_t width = Lanes::width, together = width == 8 ? 1 : 8 / width;
   for (std::size_t c = 0; c < D; ++c) {
@@ -45,7 +47,8 @@ void planarPass(const NodeSums& sums, const PlanarFinish& finish, std::size_t be
 
 /// Lanes of padded nodes, a multiple of the lanes of a node.
 template <class Lanes, int D>
-void paddedPass(const PaddedFinish& finish, std::size_t lanes) {
+void paddedPass(const PaddedFinish& paddedFinish, std::size_t lanes) {
+  const PaddedFinish finish = paddedFinish;
   using Vector = typename Lanes::Vector;
   constexpr std::size_t width = Lanes::width;
   constexpr std::size_t ofNode = D == 3 ? 4 : D;

@@ -9,7 +9,8 @@ namespace muelle::engine::kernels {
 namespace {
 
 template <int D, bool relative, bool projected, bool constant>
-void forceOfOne(const RunArrays& run, const PlanarState& at, std::size_t i, std::size_t out, const Planes& force) {
+__attribute__((noinline)) void forceOfOne(const RunArrays& run, const PlanarState& at, std::size_t i, std::size_t out,
+                                          const Planes& force) {
   double d[D], w[D] = {}, F[D];
   for (std::size_t c = 0; c < D; ++c) d[c] = at.x[c * at.plane + i] - at.x[c * at.plane + i + run.stride];
   if constexpr (relative || projected) {
@@ -23,42 +24,53 @@ void forceOfOne(const RunArrays& run, const PlanarState& at, std::size_t i, std:
 
 /// A coefficient of the material: one register for all, or one read a step.
 template <class Lanes, bool constant>
-inline typename Lanes::Vector coefficient(const double* values, std::size_t j) {
-  return constant ? Lanes::all(values[0]) : Lanes::load(values + j);
-}
+class Coefficient {
+ public:
+  /// \param values null where the form has none
+  explicit Coefficient(const double* values) : values_(values), all_(Lanes::all(constant && values ? *values : 0.0)) {}
+  typename Lanes::Vector at(std::size_t j) const { return constant ? all_ : Lanes::load(values_ + j); }
+
+ private:
+  const double* values_;
+  typename Lanes::Vector all_;
+};
 
 /// Writes the forces on the nodes i in [begin, end) by their springs; that of `begin` goes to entry 0.
 template <class Lanes, int D, bool relative, bool projected, bool constant>
 void forceOfRun(const RunArrays& run, const PlanarState& at, std::size_t begin, std::size_t end, const Planes& force) {
   using Vector = typename Lanes::Vector;
   constexpr std::size_t width = Lanes::width;
+  // In variables of its own: a store could change what a reference leads to, as far as the compiler knows.
+  const Coefficient<Lanes, constant> k(run.k), L0(run.L0), dRelative(run.dRelative), dProjected(run.dProjected);
+  const std::size_t first = run.first;
+  const double *near[D], *far[D], *vNear[D], *vFar[D];
+  double* out[D];
+  for (std::size_t c = 0; c < D; ++c) {
+    near[c] = at.x + c * at.plane;
+    far[c] = near[c] + run.stride;
+    vNear[c] = at.v + c * at.plane;
+    vFar[c] = vNear[c] + run.stride;
+    out[c] = force.data + c * force.plane;
+  }
   std::size_t i = begin;
   for (; i + width <= end; i += width) {
     Vector d[D], w[D];
-    const std::size_t j = constant ? 0 : i - run.first;
-    for (std::size_t c = 0; c < D; ++c) {
-      const double* x = at.x + c * at.plane + i;
-      d[c] = Lanes::load(x) - Lanes::load(x + run.stride);
-    }
+    for (std::size_t c = 0; c < D; ++c) d[c] = Lanes::load(near[c] + i) - Lanes::load(far[c] + i);
     if constexpr (relative || projected) {
-      for (std::size_t c = 0; c < D; ++c) {
-        const double* v = at.v + c * at.plane + i;
-        w[c] = Lanes::load(v) - Lanes::load(v + run.stride);
-      }
+      for (std::size_t c = 0; c < D; ++c) w[c] = Lanes::load(vNear[c] + i) - Lanes::load(vFar[c] + i);
     }
-    const Vector k = coefficient<Lanes, constant>(run.k, j), L0 = coefficient<Lanes, constant>(run.L0, j);
     if constexpr (D == 1) {
-      d[0] = Lanes::withSign(k * (L0 - Lanes::magnitude(d[0])), d[0]);
+      d[0] = Lanes::withSign(k.at(i - first) * (L0.at(i - first) - Lanes::magnitude(d[0])), d[0]);
     } else {
       Vector square = d[0] * d[0];
       for (int c = 1; c < D; ++c) square += d[c] * d[c];
       const Vector L = Lanes::root(square);
-      Vector ratio = k * (L0 - L);
+      Vector ratio = k.at(i - first) * (L0.at(i - first) - L);
       if constexpr (projected) {
         Vector speed = w[0] * d[0];
         for (int c = 1; c < D; ++c) speed += w[c] * d[c];
         const Vector inverse = Lanes::all(1.0) / L;
-        ratio = (ratio - coefficient<Lanes, constant>(run.dProjected, j) * (speed * inverse)) * inverse;
+        ratio = (ratio - dProjected.at(i - first) * (speed * inverse)) * inverse;
       } else {
         ratio = ratio / L;
       }
@@ -71,10 +83,9 @@ void forceOfRun(const RunArrays& run, const PlanarState& at, std::size_t begin, 
       for (int c = 0; c < D; ++c) d[c] *= ratio;
     }
     if constexpr (relative) {
-      const Vector damping = coefficient<Lanes, constant>(run.dRelative, j);
-      for (int c = 0; c < D; ++c) d[c] -= damping * w[c];
+      for (int c = 0; c < D; ++c) d[c] -= dRelative.at(i - first) * w[c];
     }
-    for (std::size_t c = 0; c < D; ++c) Lanes::store(force.data + c * force.plane + (i - begin), d[c]);
+    for (std::size_t c = 0; c < D; ++c) Lanes::store(out[c] + (i - begin), d[c]);
   }
   for (; i < end; ++i) forceOfOne<D, relative, projected, constant>(run, at, i, i - begin, force);
 }

@@ -22,7 +22,7 @@ __attribute__((noinline)) void carefulForce(const double* d, const double* w, co
   double largest = 0.0;
   for (int c = 0; c < D; ++c) {
     const double size = __builtin_fabs(d[c]);
-    if (!(size <= largest)) largest = size;  // also where it is no number
+    if (size > largest || size != size) largest = size;  // what is no number stays
   }
   double n[D] = {};
   double q = 0.0;
