@@ -8,7 +8,8 @@ namespace muelle::engine::kernels {
 
 /// Springs of any topology, arranged for the kernels: one batch a damping form, in arrays, in an order in which each
 /// eight have no node in common as far as that can be. Nodes are padded: node i has the lanes 4i to 4i + 3 as x y z 0
-/// in 3D, 2i and 2i + 1 in 2D, i in 1D. Arrays that begin at a multiple of 32 bytes are read fastest.
+/// in 3D, 2i and 2i + 1 in 2D, i in 1D. The arrays must begin at a multiple of 16 bytes, as std::vector's do; those at
+/// a multiple of 32 are read fastest.
 ///
 /// Forces are added one spring after another in the order of order(), on every instruction set alike.
 class SpringGroups {

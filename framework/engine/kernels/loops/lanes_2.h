@@ -13,6 +13,8 @@ namespace {
 using Two = double __attribute__((vector_size(16)));
 /// For loads and stores at any address of a double. (memcpy into a vector type is far slower with g++ 12.)
 using LooseTwo = double __attribute__((vector_size(16), aligned(8), may_alias));
+/// For nodes of padded lanes, which begin at a multiple of 16 bytes: an operand of SSE2 may then stand in memory.
+using NodeTwo = double __attribute__((vector_size(16), aligned(16), may_alias));
 using TwoBits = long long __attribute__((vector_size(16)));
 
 struct Lanes2 {
@@ -21,6 +23,8 @@ struct Lanes2 {
 
   static Vector load(const double* p) { return *reinterpret_cast<const LooseTwo*>(p); }
   static void store(double* p, Vector v) { *reinterpret_cast<LooseTwo*>(p) = v; }
+  static Vector loadNode(const double* p) { return *reinterpret_cast<const NodeTwo*>(p); }
+  static void storeNode(double* p, Vector v) { *reinterpret_cast<NodeTwo*>(p) = v; }
   static Vector all(double value) { return Vector{value, value}; }
 
   static Vector root(Vector a) {
@@ -45,15 +49,18 @@ struct Lanes2 {
   }
   static Vector largerOfZeroAnd(Vector a) { return reinterpret_cast<Vector>(reinterpret_cast<TwoBits>(a) & (a > 0.0)); }
 
+  static bool areAllSet(TwoBits bits) {
+#if defined(__SSE2__)
+    return _mm_movemask_pd(reinterpret_cast<__m128d>(bits)) == 3;
+#else
+    return (bits[0] & bits[1]) != 0;
+#endif
+  }
   /// Whether all a > low and |b| < high.
   static bool allWithin(Vector a, double low, Vector b, double high) {
-    const TwoBits good = (a > low) & (magnitude(b) < high);
-    return (good[0] & good[1]) != 0;
+    return areAllSet((a > low) & (magnitude(b) < high));
   }
-  static bool anyPositive(Vector a) {
-    const TwoBits is = a > 0.0;
-    return (is[0] | is[1]) != 0;
-  }
+  static bool anyPositive(Vector a) { return !areAllSet(~(a > 0.0)); }
 
   static Vector firsts(Vector a, Vector b) {
 #if defined(__SSE2__)
@@ -74,19 +81,19 @@ struct Lanes2 {
   template <int D>
   static void differences(const double* values, const int* a, const int* b, Vector* d) {
     static_assert(D == 2 || D == 3);
-    const Vector first = load(values + a[0]) - load(values + b[0]);
-    const Vector second = load(values + a[1]) - load(values + b[1]);
+    const Vector first = loadNode(values + a[0]) - loadNode(values + b[0]);
+    const Vector second = loadNode(values + a[1]) - loadNode(values + b[1]);
     d[0] = firsts(first, second);
     d[1] = seconds(first, second);
     if constexpr (D == 3) {
-      d[2] =
-          firsts(load(values + a[0] + 2) - load(values + b[0] + 2), load(values + a[1] + 2) - load(values + b[1] + 2));
+      d[2] = firsts(loadNode(values + a[0] + 2) - loadNode(values + b[0] + 2),
+                    loadNode(values + a[1] + 2) - loadNode(values + b[1] + 2));
     }
   }
 
   static void addAndSubtract(double* f, int a, int b, Vector F) {
-    store(f + a, load(f + a) + F);
-    store(f + b, load(f + b) - F);
+    storeNode(f + a, loadNode(f + a) + F);
+    storeNode(f + b, loadNode(f + b) - F);
   }
 
   /// Adds F to the nodes a and subtracts it from the nodes b, one spring after another.
