@@ -67,7 +67,7 @@ GridSprings::GridSprings(int dimension, std::size_t nodes, std::vector<GridRun> 
 GridSprings::Buffer GridSprings::bufferFor(std::size_t stride, std::size_t offset) const {
   Buffer buffer = {stride, 0, 0, 0, offset};
   // A copy of what the next block needs, as long as that is little; or there is no next block.
-  if (2 * stride <= block_ || lanes_ <= block_) {
+  if (stride <= 2 * block_ || lanes_ <= block_) {
     buffer.lead = roundedUp(stride, cacheLine);
     buffer.plane = buffer.lead + block_;
   } else {

@@ -49,18 +49,23 @@ struct Lanes2 {
   }
   static Vector largerOfZeroAnd(Vector a) { return reinterpret_cast<Vector>(reinterpret_cast<TwoBits>(a) & (a > 0.0)); }
 
-  static bool areAllSet(TwoBits bits) {
-#if defined(__SSE2__)
-    return _mm_movemask_pd(reinterpret_cast<__m128d>(bits)) == 3;
-#else
-    return (bits[0] & bits[1]) != 0;
-#endif
-  }
   /// Whether all a > low and |b| < high.
   static bool allWithin(Vector a, double low, Vector b, double high) {
-    return areAllSet((a > low) & (magnitude(b) < high));
+#if defined(__SSE2__)
+    // Not by the compiler's own comparison, of which g++ 12 takes the bits one by one.
+    const __m128d aboveLow = _mm_cmpgt_pd(a, all(low)), belowHigh = _mm_cmplt_pd(magnitude(b), all(high));
+    return _mm_movemask_pd(_mm_and_pd(aboveLow, belowHigh)) == 3;
+#else
+    return a[0] > low && a[1] > low && __builtin_fabs(b[0]) < high && __builtin_fabs(b[1]) < high;
+#endif
   }
-  static bool anyPositive(Vector a) { return !areAllSet(~(a > 0.0)); }
+  static bool anyPositive(Vector a) {
+#if defined(__SSE2__)
+    return _mm_movemask_pd(_mm_cmpgt_pd(a, Vector{})) != 0;
+#else
+    return a[0] > 0.0 || a[1] > 0.0;
+#endif
+  }
 
   static Vector firsts(Vector a, Vector b) {
 #if defined(__SSE2__)
