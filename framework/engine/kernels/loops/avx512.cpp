@@ -1,4 +1,5 @@
 #include "engine/kernels/loops/lanes_2.h"
+#include "engine/kernels/loops/lanes_4.h"
 #include "engine/kernels/loops/lanes_8.h"
 #include "engine/kernels/loops/table.h"
 #include "engine/kernels/loops/tables.h"

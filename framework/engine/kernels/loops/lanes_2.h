@@ -96,18 +96,20 @@ struct Lanes2 {
     }
   }
 
-  static void addAndSubtract(double* f, int a, int b, Vector F) {
-    storeNode(f + a, loadNode(f + a) + F);
-    storeNode(f + b, loadNode(f + b) - F);
+  static void addAndSubtract(double* a, double* b, Vector F) {
+    storeNode(a, loadNode(a) + F);
+    storeNode(b, loadNode(b) - F);
   }
 
   /// Adds F to the nodes a and subtracts it from the nodes b, one spring after another.
   template <int D>
   static void scatter(const Vector* F, double* f, const int* a, const int* b) {
-    addAndSubtract(f, a[0], b[0], firsts(F[0], F[1]));
-    if constexpr (D == 3) addAndSubtract(f, a[0] + 2, b[0] + 2, firsts(F[2], Vector{}));
-    addAndSubtract(f, a[1], b[1], seconds(F[0], F[1]));
-    if constexpr (D == 3) addAndSubtract(f, a[1] + 2, b[1] + 2, seconds(F[2], Vector{}));
+    // All places before the first store, which could change the lists, as far as the compiler knows.
+    double *const a0 = f + a[0], *const b0 = f + b[0], *const a1 = f + a[1], *const b1 = f + b[1];
+    addAndSubtract(a0, b0, firsts(F[0], F[1]));
+    if constexpr (D == 3) addAndSubtract(a0 + 2, b0 + 2, firsts(F[2], Vector{}));
+    addAndSubtract(a1, b1, seconds(F[0], F[1]));
+    if constexpr (D == 3) addAndSubtract(a1 + 2, b1 + 2, seconds(F[2], Vector{}));
   }
 };
 

@@ -50,9 +50,9 @@ struct Lanes4 {
     d[2] = _mm256_permute2f128_pd(even01, even23, 0x31);
   }
 
-  static void addAndSubtract(double* f, int a, int b, Vector F) {
-    store(f + a, load(f + a) + F);
-    store(f + b, load(f + b) - F);
+  static void addAndSubtract(double* a, double* b, Vector F) {
+    store(a, load(a) + F);
+    store(b, load(b) - F);
   }
 
   /// Adds F to the nodes a and subtracts it from the nodes b, one spring after another.
@@ -61,10 +61,13 @@ struct Lanes4 {
     static_assert(D == 3);
     const Vector even = _mm256_unpacklo_pd(F[0], F[1]), odd = _mm256_unpackhi_pd(F[0], F[1]);
     const Vector evenZ = _mm256_unpacklo_pd(F[2], Vector{}), oddZ = _mm256_unpackhi_pd(F[2], Vector{});
-    addAndSubtract(f, a[0], b[0], _mm256_permute2f128_pd(even, evenZ, 0x20));
-    addAndSubtract(f, a[1], b[1], _mm256_permute2f128_pd(odd, oddZ, 0x20));
-    addAndSubtract(f, a[2], b[2], _mm256_permute2f128_pd(even, evenZ, 0x31));
-    addAndSubtract(f, a[3], b[3], _mm256_permute2f128_pd(odd, oddZ, 0x31));
+    // All places before the first store, which could change the lists, as far as the compiler knows.
+    double *const a0 = f + a[0], *const b0 = f + b[0], *const a1 = f + a[1], *const b1 = f + b[1];
+    double *const a2 = f + a[2], *const b2 = f + b[2], *const a3 = f + a[3], *const b3 = f + b[3];
+    addAndSubtract(a0, b0, _mm256_permute2f128_pd(even, evenZ, 0x20));
+    addAndSubtract(a1, b1, _mm256_permute2f128_pd(odd, oddZ, 0x20));
+    addAndSubtract(a2, b2, _mm256_permute2f128_pd(even, evenZ, 0x31));
+    addAndSubtract(a3, b3, _mm256_permute2f128_pd(odd, oddZ, 0x31));
   }
 };
 

@@ -1,8 +1,10 @@
 #pragma once
 /// \file
-/// Eight springs or nodes at a time: AVX-512.
+/// Eight springs or nodes at a time: AVX-512. Springs of general topology go by four there, too: with eight, more
+/// registers are taken apart and put together than are saved.
 
-#include "engine/kernels/loops/lanes_4.h"
+#include <immintrin.h>
+#include <cstddef>
 
 namespace muelle::engine::kernels {
 namespace {
@@ -38,31 +40,6 @@ struct Lanes8 {
     return _mm512_mask_cmp_pd_mask(aboveLow, magnitude(b), all(high), _CMP_LT_OQ) == 0xFF;
   }
   static bool anyPositive(Vector a) { return _mm512_cmp_pd_mask(a, Vector{}, _CMP_GT_OQ) != 0; }
-
-  static Vector join(Four low, Four high) { return _mm512_insertf64x4(_mm512_castpd256_pd512(low), high, 1); }
-  static Four low(Vector a) { return _mm512_castpd512_pd256(a); }
-  static Four high(Vector a) { return _mm512_extractf64x4_pd(a, 1); }
-
-  /// Components of the differences of padded nodes, d[c] those of all lanes.
-  template <int D>
-  static void differences(const double* values, const int* a, const int* b, Vector* d) {
-    Four first[D], second[D];
-    Lanes4::differences<D>(values, a, b, first);
-    Lanes4::differences<D>(values, a + 4, b + 4, second);
-    for (int c = 0; c < D; ++c) d[c] = join(first[c], second[c]);
-  }
-
-  /// Adds F to the nodes a and subtracts it from the nodes b, one spring after another.
-  template <int D>
-  static void scatter(const Vector* F, double* f, const int* a, const int* b) {
-    Four first[D], second[D];
-    for (int c = 0; c < D; ++c) {
-      first[c] = low(F[c]);
-      second[c] = high(F[c]);
-    }
-    Lanes4::scatter<D>(first, f, a, b);
-    Lanes4::scatter<D>(second, f, a + 4, b + 4);
-  }
 };
 
 }  // namespace
