@@ -115,6 +115,18 @@ TEST(GridNumbering, FollowsChainsFromEndToEnd) {
   EXPECT_EQ(found.search.runs[0].springs(), 58U);
 }
 
+TEST(GridNumbering, RefusesALatticeWithTwoNodesInOnePlace) {
+  Block twice = blockOf(13, 8, 1, upright);
+  const std::size_t numbers = twice.x.size(), springs = twice.springs.size();
+  for (std::size_t i = 0; i < numbers; ++i) twice.x.push_back(twice.x[i]);
+  for (std::size_t i = 0; i < springs; ++i) {
+    const SpringData s = twice.springs[i];
+    twice.springs.push_back({s.a + 104, s.b + 104, s.k, s.L0});
+  }
+  const Block sheets = mixed(twice);
+  EXPECT_EQ(findGrid(3, sheets.x, sheets.springs).order, GridOrder::None);
+}
+
 TEST(GridNumbering, SaysWhyARandomNetIsNoGrid) {
   Dice dice(52);
   Block block;
