@@ -46,7 +46,6 @@ VirtualSprings::VirtualSprings(const Cloth& cloth, bool scattered) {
     elements_[i] = std::make_unique<Spring>(cloth.springs[i]);
     if (scattered) between_.push_back(std::make_unique<char[]>(size(random)));
   }
-  if (scattered) std::shuffle(elements_.begin(), elements_.end(), random);
 }
 
 VirtualSprings::~VirtualSprings() = default;

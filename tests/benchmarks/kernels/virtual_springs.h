@@ -10,7 +10,7 @@ namespace muelle::benchmarks {
 /// Springs as the lecture's object-oriented design has them: an object each, with a virtual function.
 class VirtualSprings {
  public:
-  /// \param scattered allocated in a random order, with other allocations between
+  /// \param scattered allocated in a random order, with other allocations between; they act in the cloth's order
   VirtualSprings(const Cloth& cloth, bool scattered);
   ~VirtualSprings();
   void force(const double* x, double* f, std::size_t numbers) const;
