@@ -47,7 +47,6 @@ std::size_t planeFor(std::size_t nodes) {
 GridSprings::GridSprings(int dimension, std::size_t nodes, std::vector<GridRun> runs, std::vector<SpringData> loose,
                          std::size_t block)
     : dimension_(dimension),
-      nodes_(nodes),
       lanes_(roundedUp(nodes, cacheLine)),
       block_(roundedUp(block ? block : usualBlock, cacheLine)),
       runs_(std::move(runs)),

@@ -53,8 +53,7 @@ class GridSprings {
   void addLoose(const PlanarState& at, const PlanarFinish& finish) const;
 
   int dimension_;
-  std::size_t nodes_;
-  std::size_t lanes_;  ///< of a plane that are gone over: nodes_, rounded up to a multiple of 8
+  std::size_t lanes_;  ///< of a plane that are gone over: the nodes, rounded up to a multiple of 8
   std::size_t block_;
   std::vector<GridRun> runs_;
   std::vector<SpringData> loose_;

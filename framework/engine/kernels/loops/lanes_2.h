@@ -11,10 +11,11 @@ namespace muelle::engine::kernels {
 namespace {
 
 using Two = double __attribute__((vector_size(16)));
-/// For loads and stores at any address of a double. (memcpy into a vector type is far slower with g++ 12.)
-using LooseTwo = double __attribute__((vector_size(16), aligned(8), may_alias));
+/// For loads and stores at any address of a double: the attributes stand before the =, else clang drops the first.
+/// (memcpy into a vector type is far slower with g++ 12.)
+using LooseTwo __attribute__((aligned(8), may_alias)) = Two;
 /// For nodes of padded lanes, which begin at a multiple of 16 bytes: an operand of SSE2 may then stand in memory.
-using NodeTwo = double __attribute__((vector_size(16), aligned(16), may_alias));
+using NodeTwo __attribute__((aligned(16), may_alias)) = Two;
 using TwoBits = long long __attribute__((vector_size(16)));
 
 struct Lanes2 {

@@ -9,7 +9,7 @@ namespace muelle::engine::kernels {
 namespace {
 
 using Four = double __attribute__((vector_size(32)));
-using LooseFour = double __attribute__((vector_size(32), aligned(8), may_alias));
+using LooseFour __attribute__((aligned(8), may_alias)) = Four;
 
 struct Lanes4 {
   using Vector = Four;

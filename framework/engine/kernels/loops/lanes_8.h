@@ -10,7 +10,7 @@ namespace muelle::engine::kernels {
 namespace {
 
 using Eight = double __attribute__((vector_size(64)));
-using LooseEight = double __attribute__((vector_size(64), aligned(8), may_alias));
+using LooseEight __attribute__((aligned(8), may_alias)) = Eight;
 
 struct Lanes8 {
   using Vector = Eight;
