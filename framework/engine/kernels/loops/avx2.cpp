@@ -1,0 +1,13 @@
+#include "engine/kernels/loops/lanes_2.h"
+#include "engine/kernels/loops/lanes_4.h"
+#include "engine/kernels/loops/table.h"
+#include "engine/kernels/loops/tables.h"
+
+namespace muelle::engine::kernels {
+
+const Kernels& avx2Kernels() {
+  static const Kernels table = tableOf<Lanes4, Lanes4>();
+  return table;
+}
+
+}  // namespace muelle::engine::kernels

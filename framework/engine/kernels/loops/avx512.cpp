@@ -1,0 +1,14 @@
+#include "engine/kernels/loops/lanes_2.h"
+#include "engine/kernels/loops/lanes_4.h"
+#include "engine/kernels/loops/lanes_8.h"
+#include "engine/kernels/loops/table.h"
+#include "engine/kernels/loops/tables.h"
+
+namespace muelle::engine::kernels {
+
+const Kernels& avx512Kernels() {
+  static const Kernels table = tableOf<Lanes8, Lanes4>();
+  return table;
+}
+
+}  // namespace muelle::engine::kernels

@@ -1,0 +1,54 @@
+#pragma once
+/// \file
+/// The table of one instruction set. Included by one source for each, with its Lanes.
+
+#include "engine/kernels/kernel_table.h"
+#include "engine/kernels/loops/contact_loop.h"
+#include "engine/kernels/loops/group_loop.h"
+#include "engine/kernels/loops/node_loop.h"
+#include "engine/kernels/loops/run_loop.h"
+
+namespace muelle::engine::kernels {
+namespace {
+
+template <class Lanes, int D, bool relative, bool projected>
+void fillDamping(Kernels& table) {
+  constexpr int form = (relative ? 1 : 0) + (projected ? 2 : 0);
+  static_assert(static_cast<int>(Damping::Both) == 3 && static_cast<int>(Damping::Projected) == 2);
+  table.forceOfRun[D - 1][form][0] = forceOfRun<Lanes, D, relative, projected, false>;
+  table.forceOfRun[D - 1][form][1] = forceOfRun<Lanes, D, relative, projected, true>;
+}
+
+template <class Lanes, class LanesOfGroups, int D>
+void fillDimension(Kernels& table) {
+  fillDamping<Lanes, D, false, false>(table);
+  fillDamping<Lanes, D, true, false>(table);
+  if constexpr (D > 1) {
+    fillDamping<Lanes, D, false, true>(table);
+    fillDamping<Lanes, D, true, true>(table);
+    table.addSprings[D - 1][0] = addSprings<LanesOfGroups, D, false, false>;
+    table.addSprings[D - 1][1] = addSprings<LanesOfGroups, D, true, false>;
+    table.addSprings[D - 1][2] = addSprings<LanesOfGroups, D, false, true>;
+    table.addSprings[D - 1][3] = addSprings<LanesOfGroups, D, true, true>;
+  } else {
+    table.addSprings[0][0] = addSpringsOfLine<false>;
+    table.addSprings[0][1] = addSpringsOfLine<true>;
+  }
+  table.planarPass[D - 1] = planarPass<Lanes, D>;
+  table.paddedPass[D - 1] = paddedPass<Lanes, D>;
+  table.paddedContact[D - 1] = paddedContact<D>;
+  table.planarContact[D - 1] = planarContact<Lanes, D>;
+}
+
+/// \tparam Lanes of what runs along arrays   \tparam LanesOfGroups of springs of general topology in 3D
+template <class Lanes, class LanesOfGroups>
+Kernels tableOf() {
+  Kernels table = {};
+  fillDimension<Lanes, Lanes2, 1>(table);
+  fillDimension<Lanes, Lanes2, 2>(table);
+  fillDimension<Lanes, LanesOfGroups, 3>(table);
+  return table;
+}
+
+}  // namespace
+}  // namespace muelle::engine::kernels

@@ -1,0 +1,7 @@
+#include "plain_loop_body.h"
+
+namespace muelle::benchmarks {
+
+PlainLoops plainAvx2() { return {plainForce, plainDampedForce}; }
+
+}  // namespace muelle::benchmarks
