@@ -64,14 +64,6 @@ int firstNotFinite(In values) {
   return static_cast<int>(at - values.begin());
 }
 
-std::string laneName(const DynamicalSystem& system, int lane) {
-  const std::span<const int> lanes = system.lanes();
-  if (lanes.empty()) return system.unknownName(lane);
-  const auto at = std::lower_bound(lanes.begin(), lanes.end(), lane);
-  if (at == lanes.end() || *at != lane) return fmt::format("lane {}, which is held", lane);
-  return system.unknownName(static_cast<int>(at - lanes.begin()));
-}
-
 StepResult finiteOrFailure(const DynamicalSystem& system, const State& from, const State& to, double error) {
   const int position = firstNotFinite(to.x);
   const int velocity = position < 0 ? firstNotFinite(to.v) : -1;

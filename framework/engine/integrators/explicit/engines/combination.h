@@ -63,9 +63,6 @@ inline void prepareResult(const State& from, double h, State& to) {
   to.t = from.t + h;
 }
 
-/// The unknown of a lane in the user's words.
-std::string laneName(const DynamicalSystem& system, int lane);
-
 /// Index of the first entry that is not finite, or -1.
 int firstNotFinite(In values);
 
