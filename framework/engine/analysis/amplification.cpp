@@ -89,7 +89,8 @@ double Amplification::growth(double stiffness, double damping, double drag) {
 }
 
 double Amplification::growthWithMemory() {
-  constexpr int steps = 200;
+  // Where a slow decay goes beside, what grows has to overtake it: explicit steps are cheap.
+  const int steps = method_.info().implicit ? 200 : 2000;
   std::array<double, 2> middle{}, end{};
   for (int j = 0; j < 2; ++j) {
     State from = unitState(j), to = from;

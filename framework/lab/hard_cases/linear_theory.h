@@ -21,6 +21,8 @@ struct Mode {
   bool located = false;
   /// A contact whose damper would pull once a step overshoots: it opens there, and the ringing is over.
   bool cannotPull = false;
+  /// Friction at rest, whose forces are balanced anew with each step: a method with memory starts afresh every time.
+  bool startsAfresh = false;
 };
 
 /// What a method makes of a mode: the numerical end against the exact one.

@@ -76,7 +76,7 @@ Variant h20Sticks() {
   v.error = slid(26.5, 0.0);
   // Along the plane the slider's stiffness with its damper, which starts balanced but for rounding. Across it the
   // ground's: that mode does not show in the distance slid.
-  v.modes = {{.stiffness = 1e7, .amplitude = 0.0, .damping = 2.0 * std::sqrt(1e7)}};
+  v.modes = {{.stiffness = 1e7, .amplitude = 0.0, .damping = 2.0 * std::sqrt(1e7), .startsAfresh = true}};
   return v;
 }
 
