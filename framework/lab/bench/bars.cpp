@@ -11,7 +11,9 @@ using Verdict = Bar::Verdict;
 
 Verdict verdictOf(bool met) { return met ? Verdict::Met : Verdict::Missed; }
 
-std::string withInterval(const Statistics& s) { return fmt::format("{:.2f} ({:.2f} to {:.2f})", s.median, s.low, s.high); }
+std::string withInterval(const Statistics& s) {
+  return fmt::format("{:.2f} ({:.2f} to {:.2f})", s.median, s.low, s.high);
+}
 
 /// How much faster than A the scene's kind promises us to be; 0: nothing is promised.
 double promisedToPlain(SceneKind kind, double target) {
@@ -93,8 +95,8 @@ void addNaiveBar(std::vector<Bar>& bars, const SceneResult& scene) {
           .measured = {}};
   if (const std::optional<AgainstNaive> against = againstNaive(scene, 1e-2)) {
     bar.measured = fmt::format("{}: ours {} ({:.1f} times real time), naive at {:.2e} s with an error of {:.1e}",
-                               withInterval(against->ratio), against->method,
-                               scene.duration / against->ours.median, against->step, against->error);
+                               withInterval(against->ratio), against->method, scene.duration / against->ours.median,
+                               against->step, against->error);
     bar.verdict = verdictOf(against->ratio.median <= most);
   }
   bars.push_back(bar);

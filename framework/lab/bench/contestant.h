@@ -45,7 +45,7 @@ class Contestant {
 
   /// Solves the scene from its start to its end. What is allocated and prepared counts as a part of the run, as it does
   /// for whoever runs a scene once; building the scene does not.
-  /// \param setting  the tolerance, or the step [s], of which a whole number fills the duration (it is made shorter)
+  /// \param setting  the tolerance, or the step [s], made shorter to what BenchScene::stepsOf() says
   /// \param path     shown the ends of the steps; null in a run that is timed
   virtual RunCost run(double setting, Path* path) = 0;
 
@@ -57,8 +57,5 @@ class Contestant {
 inline constexpr const char* naiveEulerKey = "A:plain:symplectic_euler";
 
 using Contestants = std::vector<std::unique_ptr<Contestant>>;
-
-/// How many equal steps, none longer than h, fill the duration.
-long long stepsFor(double duration, double h);
 
 }  // namespace muelle::bench

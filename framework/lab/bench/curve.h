@@ -26,8 +26,8 @@ struct Curve {
   bool takesTolerance = false;
   bool locatesEvents = false;
   std::vector<CurvePoint> points;
-  std::string ended;   ///< why there are no finer ones: "the next run would take 40 s"
-  std::string crash;   ///< an error that is no failed run; empty: none
+  std::string ended;  ///< why there are no finer ones: "the next run would take 40 s"
+  std::string crash;  ///< an error that is no failed run; empty: none
 
   std::string label() const { return library + " " + method; }
   std::string key() const { return nameOf(row) + ":" + library + ":" + method; }
@@ -41,9 +41,9 @@ struct Crossing {
   double weight = 0.0;               ///< of the fine point, in logarithms: value = coarse^(1 - weight) fine^weight
 };
 
-/// The finest place at which e_x passes `target`: from there on the curve stays below it, so that an error that is small
-/// by luck at a coarse setting earns nothing. Failed runs count as errors without bound. Nothing where no run meets the
-/// target, or the finest does not.
+/// The finest place at which e_x passes `target`: from there on the curve stays below it, so that an error that is
+/// small by luck at a coarse setting earns nothing. Failed runs count as errors without bound. Nothing where no run
+/// meets the target, or the finest does not.
 std::optional<Crossing> crossingAt(const Curve& curve, double target);
 
 /// A quantity at a crossing: coarse^(1 - weight) fine^weight, straight in logarithms as errors and costs are.

@@ -43,7 +43,7 @@ class EngineContestant : public Contestant {
     options.locateEvents = scene_.locateEvents;
     options.fixedStep = fixed_;
     if (fixed_) {
-      options.h = scene_.duration / static_cast<double>(stepsFor(scene_.duration, setting));
+      options.h = scene_.duration / static_cast<double>(scene_.stepsOf(setting));
     } else {
       options.tolerance.relative = setting;
     }

@@ -5,16 +5,16 @@
 
 namespace muelle::bench {
 
-/// All nodes of a scene at one time, in its own numbering: node i of a scene of dimension D has entries D i ... of x [m]
-/// and of v [m/s], nodes that are held included.
+/// All nodes of a scene at one time, in its own numbering: node i of a scene of dimension D has entries D i ... of x
+/// [m] and of v [m/s], nodes that are held included.
 struct PathPoint {
   double t = 0.0;  ///< [s]
   std::vector<double> x, v;
 };
 
-/// What is kept of a run to tell its error: the first end of a step at or behind each of so many equal times, so that no
-/// method is asked for more than the states that it makes. A method that steps over several of these times is looked at
-/// once for all of them.
+/// What is kept of a run to tell its error: the first end of a step at or behind each of so many equal times, so that
+/// no method is asked for more than the states that it makes. A method that steps over several of these times is looked
+/// at once for all of them.
 class Path {
  public:
   Path(double duration, int samples) : duration_(duration), samples_(samples) {}

@@ -15,8 +15,7 @@ Statistics over(std::size_t rounds, const std::function<double(std::size_t)>& va
 
 Best bestAt(const Curve& curve, const Crossing& crossing) {
   Best best{&curve, crossing, {}, evaluationsAt(curve, crossing), crossing.coarse == crossing.fine};
-  best.seconds =
-      over(roundsAt(curve, crossing), [&](std::size_t round) { return secondsAt(curve, crossing, round); });
+  best.seconds = over(roundsAt(curve, crossing), [&](std::size_t round) { return secondsAt(curve, crossing, round); });
   return best;
 }
 
@@ -82,8 +81,7 @@ std::vector<Entry> entriesOf(const SceneResult& scene) {
 
 std::optional<AgainstNaive> againstNaive(const SceneResult& scene, double target) {
   const Curve* naive = scene.find(naiveEulerKey);
-  const std::optional<Best> ours =
-      bestOf(scene, target, [](const Curve& curve) { return curve.row == Row::Ours; });
+  const std::optional<Best> ours = bestOf(scene, target, [](const Curve& curve) { return curve.row == Row::Ours; });
   if (naive == nullptr || !ours || !scene.allows(target)) return std::nullopt;
   const auto point = std::ranges::find_if(naive->points, [](const CurvePoint& p) { return !p.failed(); });
   if (point == naive->points.end()) return std::nullopt;

@@ -21,7 +21,8 @@ struct Entry {
   double target = 0.0;
   bool allowed = true;  ///< the reference is good enough
   std::optional<Best> ours = {}, plain = {}, kernel = {};
-  std::optional<Best> plainWithEvents = {};  ///< peers of row A that find contacts; `plain` and `kernel` step across them
+  std::optional<Best> plainWithEvents =
+      {};  ///< peers of row A that find contacts; `plain` and `kernel` step across them
   /// Seconds of the peer over ours, round by round: above 1 we are ahead.
   std::optional<Statistics> toPlain = {}, toKernel = {}, toPlainWithEvents = {};
   /// The fewest evaluations of any method of the row at this error; 0: none reaches it.
@@ -33,8 +34,8 @@ std::vector<Entry> entriesOf(const SceneResult& scene);
 
 /// The plain symplectic Euler at its largest stable step, against our fastest at an error: ours over its own.
 struct AgainstNaive {
-  double step = 0.0;          ///< [s]
-  double error = 0.0;         ///< e_x of the naive loop there
+  double step = 0.0;                 ///< [s]
+  double error = 0.0;                ///< e_x of the naive loop there
   Statistics ours = {}, naive = {};  ///< seconds
   Statistics ratio = {};             ///< ours / naive, round by round
   std::string method = {};           ///< ours

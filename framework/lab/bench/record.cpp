@@ -59,7 +59,8 @@ const Record::Fields* Record::find(const std::string& key) const {
 
 void Record::add(const std::string& key, Fields values) {
   for (std::string& value : values) {
-    std::ranges::replace_if(value, [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
+    std::ranges::replace_if(
+        value, [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
   }
   out_ << lineOf(key, values) << std::flush;
   if (!out_) throw std::runtime_error("cannot write " + file_.string());

@@ -105,7 +105,9 @@ State Reference::stateAt(double t) const {
   const State& before = *(later == states_.begin() ? later : later - 1);
   if (std::abs(t - before.t) <= 1e-12 * scene_.duration) return before;
   const std::unique_ptr<Integrator> method = makeMethod(exactMethod);
-  Simulation simulation(system_, *method, before, exactOptions(scene_, t - before.t, exactTolerance));
+  StepOptions options = exactOptions(scene_, t - before.t, exactTolerance);
+  options.h = t - before.t;  // mostly one step is enough
+  Simulation simulation(system_, *method, before, options);
   while (simulation.advance().goesOn()) {
   }
   if (!simulation.finished()) throw failureOf(scene_, simulation);

@@ -20,8 +20,11 @@ std::string pointsCsv(const std::vector<SceneResult>& scenes);
 /// The entries of the tables.
 std::string planeCsv(const std::vector<SceneResult>& scenes);
 
-/// A page of all: machine, tables, bars, what could not run. `figures`: the folder of the pictures as the page's links
-/// name it ("" for its own). `more`: further sections.
+/// What was promised and what came out.
+std::string barsCsv(const std::vector<Bar>& bars);
+
+/// A page of all: machine, tables, bars, what could not run. Its pictures lie in speed/ beside it. `more`:
+/// further sections.
 std::string page(const std::vector<SceneResult>& scenes, const std::vector<Bar>& bars, const Machine& machine,
                  const std::vector<std::string>& versions, const std::string& note, const std::string& more);
 

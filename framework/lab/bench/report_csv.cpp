@@ -30,12 +30,20 @@ std::string pointsCsv(const std::vector<SceneResult>& scenes) {
         const std::string errors =
             point.failed() ? "," : fmt::format("{:.6g},{:.6g}", point.error.position, point.error.velocity);
         text += fmt::format("{},{},{},{},{},{:.6g},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{}\n", scene.name,
-                            nameOf(curve.row), curve.library, curve.method,
-                            curve.takesTolerance ? "tolerance" : "step", point.setting, errors, point.cost.evaluations,
-                            point.cost.jacobians, point.cost.solves, s.count, s.median, s.least, s.percentile95, s.low,
-                            s.high, csvField(point.cost.failure));
+                            nameOf(curve.row), curve.library, curve.method, curve.takesTolerance ? "tolerance" : "step",
+                            point.setting, errors, point.cost.evaluations, point.cost.jacobians, point.cost.solves,
+                            s.count, s.median, s.least, s.percentile95, s.low, s.high, csvField(point.cost.failure));
       }
     }
+  }
+  return text;
+}
+
+std::string barsCsv(const std::vector<Bar>& bars) {
+  std::string text = "where,promise,measured,verdict\n";
+  for (const Bar& bar : bars) {
+    text += fmt::format("{},{},{},{}\n", csvField(bar.where), csvField(bar.promise), csvField(bar.measured),
+                        nameOf(bar.verdict));
   }
   return text;
 }

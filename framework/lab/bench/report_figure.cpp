@@ -54,12 +54,10 @@ Numbers numbersOf(const Curve& curve) {
   return numbers;
 }
 
-std::string titleOf(const SceneResult& scene) { return scene.title; }
-
 }  // namespace
 
 Figure figureOf(const SceneResult& scene) {
-  Figure figure(scene.name, titleOf(scene), "error eₓ over the whole run, in parts of the motion");
+  Figure figure(scene.name, scene.title, "error eₓ over the whole run, in parts of the motion");
   figure.slide(2);
   auto seconds = figure.panel("");
   seconds.heading("processor time [s]");
@@ -71,7 +69,7 @@ Figure figureOf(const SceneResult& scene) {
     const Numbers numbers = numbersOf(*curve);
     if (numbers.error.empty()) continue;
     seconds.linePoints(nameInKey(*curve), numbers.error, numbers.seconds).colour(colour);
-    evaluations.linePoints(nameInKey(*curve), numbers.error, numbers.evaluations).colour(colour++);
+    evaluations.linePoints("", numbers.error, numbers.evaluations).colour(colour++);
     least = std::min(least, *std::ranges::min_element(numbers.error));
   }
   for (auto* panel : {&seconds, &evaluations}) panel->logX().logY().xRange(std::max(least / 2.0, 1e-10), 2.0);

@@ -29,17 +29,24 @@ std::string head(const Machine& machine, const std::vector<std::string>& version
 }
 
 constexpr const char* howToRead =
-    "Row A is the best of the peers on a plain loop over the springs, as its user writes it; row B the best of the peers\n"
-    "on the engine's force. An error is e_x over the whole run: the largest difference of a node at any time, in parts of\n"
-    "the largest motion. A time is the processor's, from preparing the method to the end of the run, at the very error:\n"
-    "straight in logarithms between the two settings around it, and at the coarsest that stands (marked \\*) where that is\n"
+    "Row A is the best of the peers on a plain loop over the springs, as its user writes it; row B the best of the "
+    "peers\n"
+    "on the engine's force. An error is e_x over the whole run: the largest difference of a node at any time, in parts "
+    "of\n"
+    "the largest motion. A time is the processor's, from preparing the method to the end of the run, at the very "
+    "error:\n"
+    "straight in logarithms between the two settings around it, and at the coarsest that stands (marked \\*) where "
+    "that is\n"
     "better already. It is the median of runs made in turn; ratios are taken turn by turn, with the interval in which\n"
-    "their median lies (95 %). In brackets evaluations of the force. A curve counts from where it stays below an error,\n"
-    "so that luck earns nothing. There is no entry where a hundred times the reference's error is above the target.\n\n";
+    "their median lies (95 %). In brackets evaluations of the force. A curve counts from where it stays below an "
+    "error,\n"
+    "so that luck earns nothing. There is no entry where a hundred times the reference's error is above the "
+    "target.\n\n";
 
 std::string sceneSection(const SceneResult& scene) {
   std::string text = fmt::format(
-      "## {}\n\n`{}`: {}, {}. The reference agrees with {} to {:.1e} (velocities {:.1e}); small errors of the start grow "
+      "## {}\n\n`{}`: {}, {}. The reference agrees with {} to {:.1e} (velocities {:.1e}); small errors of the start "
+      "grow "
       "{:.3g} times. {} of what competes{}.\n\n![{}](speed/{}.png)\n\n",
       scene.title, scene.name, counted(scene.unknowns, "unknown"), counted(scene.springs, "spring"), scene.arbiter,
       scene.doubt.position, scene.doubt.velocity, scene.amplification, counted(scene.rounds, "round"),

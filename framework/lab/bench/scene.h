@@ -29,6 +29,11 @@ struct BenchScene {
   bool quick = false;        ///< whether --quick runs it
   int samples = 100;         ///< how often along the run the error is looked at
 
+  double quickDuration = 0.0;  ///< [s] with --quick; 0: the same
+
+  /// How many equal steps of about h [s] fill the duration: so many that the samples fall on ends of steps, or all ends
+  /// of steps on samples.
+  long long stepsOf(double h) const;
   const engine::Model& modelOfPeers() const { return peerModel.nodes.empty() ? model : peerModel; }
 };
 

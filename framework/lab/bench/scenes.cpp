@@ -5,6 +5,7 @@
 #include "lab/run/shipped_scenes.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -94,6 +95,7 @@ BenchScene cloth(int n, double duration) {
                    .kind = SceneKind::Grid};
   scene.duration = duration;
   scene.quick = n == 16;
+  scene.quickDuration = 0.1;
   scene.samples = 40;
   return scene;
 }
@@ -118,6 +120,7 @@ BenchScene dampedCloth(int n, double duration) {
   for (ModelSpring& spring : scene.model.springs) spring.dProjected = 6.0 * 2.0 * std::sqrt(spring.k * m / 2.0);
   scene.duration = duration;
   scene.quick = n == 16;
+  scene.quickDuration = 0.05;
   scene.samples = 40;
   return scene;
 }
@@ -136,6 +139,7 @@ BenchScene drum() {
   for (ModelSpring& spring : scene.model.springs) spring.L0 /= 1.1;
   scene.duration = 0.2;
   scene.quick = true;
+  scene.samples = 40;
   return scene;
 }
 
@@ -190,13 +194,22 @@ const std::vector<NamedScene>& namedScenes() {
        }},
       {"jelly",
        [] {
-         return shipped("jelly_box", {.name = "jelly", .title = "Box of jelly falls on its edge, 0.4 s", .duration = 0.4});
+         return shipped("jelly_box",
+                        {.name = "jelly", .title = "Box of jelly falls on its edge, 0.4 s", .duration = 0.4});
        }},
   };
   return all;
 }
 
 }  // namespace
+
+long long BenchScene::stepsOf(double h) const {
+  // A step that divides the duration but for rounding is not cut into one more.
+  long long steps = std::max(1LL, static_cast<long long>(std::ceil(duration / h * (1.0 - 1e-9))));
+  if (steps > samples) return (steps + samples - 1) / samples * samples;
+  while (samples % steps != 0) ++steps;
+  return steps;
+}
 
 std::vector<std::string> sceneNames() {
   std::vector<std::string> names;

@@ -58,8 +58,28 @@ Curve emptyCurve(const Contestant& contestant) {
   return curve;
 }
 
+bool isInLecture(const BenchScene& scene, const Curve& curve) {
+  return scene.name == lectureScene && curve.row == Row::Ours &&
+         std::ranges::find(lectureMethods, curve.method) != std::end(lectureMethods);
+}
+
+/// Whether another curve of the row has come to the point's error in a tenth of its time.
+bool isHopeless(const CurvePoint& point, Row row, const std::vector<Curve>& others, double factor) {
+  for (const Curve& other : others) {
+    if (other.row != row) continue;
+    for (const CurvePoint& better : other.points) {
+      if (!better.failed() && better.error.position <= point.error.position &&
+          factor * better.seconds.back() < point.seconds.back()) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 /// Why no finer setting is worth a run; empty when one is.
-std::string reasonToEnd(const Curve& curve, const PathError& doubt, double factor, const SweepOptions& options) {
+std::string reasonToEnd(const Curve& curve, const std::vector<Curve>& others, const PathError& doubt, double factor,
+                        bool inLecture, const SweepOptions& options) {
   const std::vector<CurvePoint>& points = curve.points;
   const CurvePoint& last = points.back();
   if (std::ssize(points) >= mostSettings) return fmt::format("{} settings", mostSettings);
@@ -71,6 +91,12 @@ std::string reasonToEnd(const Curve& curve, const PathError& doubt, double facto
       const CurvePoint& before = points[points.size() - back - 1];
       return !before.failed() && now.error.position > 0.7 * before.error.position;
     };
+    const auto hopeless = [&](const CurvePoint& point) {
+      return !inLecture && !point.failed() && isHopeless(point, curve.row, others, options.hopeless);
+    };
+    if (points.size() > 1 && hopeless(last) && hopeless(points[points.size() - 2])) {
+      return fmt::format("others of its row are {:g} times as fast", options.hopeless);
+    }
     if (points.size() > 3 && last.error.position < 1e-5 && worse(1) && worse(2)) return "finer gains nothing";
   }
   const double next = last.seconds.back() / (curve.takesTolerance ? std::sqrt(factor) : factor);
@@ -78,33 +104,40 @@ std::string reasonToEnd(const Curve& curve, const PathError& doubt, double facto
   return {};
 }
 
-/// Between a step that fails and the next finer one that does not, the largest that stands, to 3 %.
-void findLargestStep(Curve& curve, const std::function<CurvePoint(double)>& run) {
+/// Between a step that fails and the next finer one that does not, the largest that stands, to a few per cent.
+void findLargestStep(Curve& curve, const std::function<double(double)>& whole,
+                     const std::function<CurvePoint(double)>& run) {
   for (int halving = 0; halving < 4; ++halving) {
     const auto first = std::ranges::find_if(curve.points, [](const CurvePoint& point) { return !point.failed(); });
     if (first == curve.points.end() || first == curve.points.begin()) return;
-    const double between = std::sqrt(first->setting * (first - 1)->setting);
-    if ((first - 1)->setting / first->setting < 1.03) return;
+    const double between = whole(std::sqrt(first->setting * (first - 1)->setting));
+    if (between < 1.01 * first->setting || between > 0.99 * (first - 1)->setting) return;
     curve.points.insert(first, run(between));
   }
 }
 
 Curve curveOf(Contestant& contestant, const BenchScene& scene, const Reference& reference, Record& record,
-              const SweepOptions& options) {
+              const std::vector<Curve>& others, const SweepOptions& options) {
   Curve curve = emptyCurve(contestant);
+  const auto whole = [&scene](double h) { return scene.duration / static_cast<double>(scene.stepsOf(h)); };
   const auto run = [&](double setting) { return measured(contestant, setting, scene, reference, record, options); };
   try {
     double setting = curve.takesTolerance ? coarsestTolerance : scene.duration / 10.0;
     while (curve.ended.empty()) {
+      if (!curve.takesTolerance) setting = whole(setting);
       curve.points.push_back(run(setting));
       // Until a step stands, halves: they fail soon.
-      const double factor =
-          curve.takesTolerance ? options.toleranceFactor : curve.hasResult() ? options.stepFactor : 0.5;
-      curve.ended = reasonToEnd(curve, reference.doubt(), factor, options);
+      const double factor = curve.takesTolerance ? options.toleranceFactor
+                            : curve.hasResult()  ? options.stepFactor
+                                                 : 0.5;
+      curve.ended = reasonToEnd(curve, others, reference.doubt(), factor, isInLecture(scene, curve), options);
+      const double before = setting;
       setting *= factor;
-      if (curve.takesTolerance && setting < finestTolerance && curve.ended.empty()) curve.ended = "the finest tolerance";
+      while (!curve.takesTolerance && whole(setting) > 0.999 * before) setting *= factor;
+      if (curve.takesTolerance && setting < finestTolerance && curve.ended.empty())
+        curve.ended = "the finest tolerance";
     }
-    if (!curve.takesTolerance) findLargestStep(curve, run);
+    if (!curve.takesTolerance) findLargestStep(curve, whole, run);
   } catch (const std::exception& problem) {
     curve.crash = problem.what();
   }
@@ -151,6 +184,16 @@ void addNaive(const SceneResult& result, std::set<Place>& places) {
   }
 }
 
+void addLecture(const SceneResult& result, const BenchScene& scene, std::set<Place>& places) {
+  for (std::size_t c = 0; c < result.curves.size(); ++c) {
+    const Curve& curve = result.curves[c];
+    if (!isInLecture(scene, curve)) continue;
+    for (std::size_t i = 0; i < curve.points.size(); ++i) {
+      if (!curve.points[i].failed()) places.insert({c, i});
+    }
+  }
+}
+
 int roundsIn(const SceneResult& result, const std::set<Place>& places, const SweepOptions& options) {
   double once = 0.0;
   for (const auto& [c, i] : places) {
@@ -174,6 +217,7 @@ void runRounds(SceneResult& result, const BenchScene& scene, const Contestants& 
                const SweepOptions& options, double share) {
   std::set<Place> places = competitors(result, options.closeness);
   addNaive(result, places);
+  addLecture(result, scene, places);
   result.rounds = roundsIn(result, places, options);
   std::vector<Place> order(places.begin(), places.end());
   std::mt19937 dice(1);
@@ -229,7 +273,7 @@ SceneResult sweep(const BenchScene& scene, const Contestants& contestants, const
   constexpr double shareOfRounds = 0.4;
   double done = 0.0;
   for (const auto& contestant : contestants) {
-    result.curves.push_back(curveOf(*contestant, scene, reference, record, options));
+    result.curves.push_back(curveOf(*contestant, scene, reference, record, result.curves, options));
     options.progress((1.0 - shareOfRounds) * ++done / static_cast<double>(contestants.size()));
   }
   const double before = load();

@@ -18,7 +18,7 @@ class NaiveEuler : public PeerContestant<Problem> {
     const Problem& problem = this->problem_;
     const std::size_t n = problem.size();
     std::vector<double> x = problem.startX(), v = problem.startV(), a(n);
-    const long long steps = stepsFor(this->duration(), setting);
+    const long long steps = this->stepsOf(setting);
     const double h = this->duration() / static_cast<double>(steps);
     for (long long step = 1; step <= steps; ++step) {
       problem.acceleration(static_cast<double>(step - 1) * h, x.data(), v.data(), a.data());
@@ -44,7 +44,7 @@ class NaiveVerlet : public PeerContestant<Problem> {
     const Problem& problem = this->problem_;
     const std::size_t n = problem.size();
     std::vector<double> x = problem.startX(), v = problem.startV(), a(n);
-    const long long steps = stepsFor(this->duration(), setting);
+    const long long steps = this->stepsOf(setting);
     const double h = this->duration() / static_cast<double>(steps);
     problem.acceleration(0.0, x.data(), v.data(), a.data());
     for (long long step = 1; step <= steps; ++step) {

@@ -66,7 +66,7 @@ class OdeintRk4 : public PeerContestant<Problem> {
     odeint::runge_kutta4<Numbers> stepper;
     Numbers y = this->start();
     const auto slope = [this](const Numbers& at, Numbers& rate, double t) { this->slope(t, at.data(), rate.data()); };
-    const long long steps = stepsFor(this->duration(), setting);
+    const long long steps = this->stepsOf(setting);
     const double h = this->duration() / static_cast<double>(steps);
     for (long long step = 1; step <= steps; ++step) {
       stepper.do_step(slope, y, static_cast<double>(step - 1) * h, h);
@@ -92,8 +92,10 @@ class OdeintSymplectic : public PeerContestant<Problem> {
     Stepper stepper;
     std::pair<Numbers, Numbers> y(problem.startX(), problem.startV());
     const Numbers none(problem.size());
-    const auto force = [&](const Numbers& x, Numbers& a) { problem.acceleration(0.0, x.data(), none.data(), a.data()); };
-    const long long steps = stepsFor(this->duration(), setting);
+    const auto force = [&](const Numbers& x, Numbers& a) {
+      problem.acceleration(0.0, x.data(), none.data(), a.data());
+    };
+    const long long steps = this->stepsOf(setting);
     const double h = this->duration() / static_cast<double>(steps);
     for (long long step = 1; step <= steps; ++step) {
       stepper.do_step(force, y, static_cast<double>(step - 1) * h, h);
@@ -119,7 +121,7 @@ class OdeintVerlet : public PeerContestant<Problem> {
     const auto force = [&](const Numbers& x, const Numbers& v, Numbers& a, double t) {
       problem.acceleration(t, x.data(), v.data(), a.data());
     };
-    const long long steps = stepsFor(this->duration(), setting);
+    const long long steps = this->stepsOf(setting);
     const double h = this->duration() / static_cast<double>(steps);
     for (long long step = 1; step <= steps; ++step) {
       stepper.do_step(force, std::make_pair(std::ref(y.first), std::ref(y.second)), static_cast<double>(step - 1) * h,

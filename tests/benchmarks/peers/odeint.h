@@ -9,8 +9,8 @@ namespace muelle::bench {
 template <class Problem>
 void addOdeint(const Problem& problem, Contestants& all);
 
-/// dopri5 with dense output on a ball over a ground: contacts found by bisection, each phase integrated as a smooth one.
-/// Row A only: the phases need forces of their own. `scene` must outlive it.
+/// dopri5 with dense output on a ball over a ground: contacts found by bisection, each phase integrated as a smooth
+/// one. Row A only: the phases need forces of their own. `scene` must outlive it.
 void addOdeintBall(const BenchScene& scene, Contestants& all);
 
 }  // namespace muelle::bench

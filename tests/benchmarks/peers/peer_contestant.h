@@ -21,7 +21,7 @@ class PeerContestant : public Contestant {
   PeerContestant(const Problem& problem, std::string library, std::string method)
       : problem_(problem), library_(std::move(library)), method_(std::move(method)) {}
 
-  Row row() const override { return Problem::row; }
+  Row row() const override { return Problem::ofRow; }
   std::string library() const override { return library_; }
   std::string method() const override { return method_; }
 
@@ -41,6 +41,7 @@ class PeerContestant : public Contestant {
   virtual std::string solve(double setting, Path* path) = 0;
 
   double duration() const { return problem_.scene().duration; }
+  long long stepsOf(double h) const { return problem_.scene().stepsOf(h); }
   std::size_t half() const { return problem_.size(); }
   Numbers start() const {
     Numbers y = problem_.startX();

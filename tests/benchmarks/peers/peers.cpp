@@ -1,11 +1,13 @@
 #include "peers.h"
 
+#include "gsl.h"
 #include "naive.h"
 #include "odeint.h"
 #include "problem.h"
+#include "sundials.h"
 
-#include <boost/version.hpp>
 #include <fmt/format.h>
+#include <boost/version.hpp>
 #include <optional>
 
 namespace muelle::bench {
@@ -29,6 +31,8 @@ template <class Problem>
 void addAll(const Problem& problem, Contestants& all) {
   addNaive(problem, all);
   addOdeint(problem, all);
+  addGsl(problem, all);
+  addSundials(problem, all);
 }
 
 }  // namespace
@@ -39,7 +43,8 @@ Peers::Peers(const BenchScene& scene, const engine::ModelSystem& system)
 Peers::~Peers() = default;
 
 std::vector<std::string> Peers::versions() {
-  return {fmt::format("Boost {}.{}", BOOST_VERSION / 100'000, BOOST_VERSION / 100 % 1000)};
+  return {fmt::format("Boost {}.{}", BOOST_VERSION / 100'000, BOOST_VERSION / 100 % 1000), gslVersion(),
+          sundialsVersion()};
 }
 
 void Peers::addTo(Contestants& all) const {
@@ -47,7 +52,9 @@ void Peers::addTo(Contestants& all) const {
   if (problems_->plane) addAll(*problems_->plane, all);
   if (problems_->space) addAll(*problems_->space, all);
   addAll(problems_->kernel, all);
-  if (scene_.kind == SceneKind::Bounce) addOdeintBall(scene_, all);
+  if (scene_.kind != SceneKind::Bounce) return;
+  addOdeintBall(scene_, all);
+  addCvodeBall(scene_, all);
 }
 
 }  // namespace muelle::bench

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace muelle::bench {
@@ -76,6 +77,43 @@ class PlainForce {
     }
   }
 
+  /// add(row, column, value) for every entry of da/dx and da/dv, rows 0 ... size() - 1, columns of v from size() on;
+  /// the same entries in the same order at each call (some 0), several of one place to be summed. Exact but for the
+  /// derivative of a volume's gradient, which is left out.
+  template <class Add>
+  void jacobian(double t, const double* x, const double* v, Add add) const {
+    for (const Spring& s : springs_) {
+      double d[D], w[D];
+      for (std::size_t c = 0; c < D; ++c) {
+        d[c] = x[s.a + c] - x[s.b + c];
+        w[c] = v[s.a + c] - v[s.b + c];
+      }
+      addSpringBlocks(s, d, w, [&](std::size_t r, std::size_t c, double dx, double dv) {
+        const double ma = inverseMass_[s.a / D], mb = inverseMass_[s.b / D];
+        for (const auto& [row, m] : {std::pair(s.a + r, ma), std::pair(s.b + r, -mb)}) {
+          add(row, s.a + c, m * dx);
+          add(row, s.b + c, -m * dx);
+          add(row, size() + s.a + c, m * dv);
+          add(row, size() + s.b + c, -m * dv);
+        }
+      });
+    }
+    for (const Anchored& s : anchored_) {
+      double d[D], w[D];
+      for (std::size_t c = 0; c < D; ++c) {
+        d[c] = x[s.a + c] - s.anchor[c];
+        w[c] = v[s.a + c];
+      }
+      addSpringBlocks(s, d, w, [&](std::size_t r, std::size_t c, double dx, double dv) {
+        add(s.a + r, s.a + c, inverseMass_[s.a / D] * dx);
+        add(s.a + r, size() + s.a + c, inverseMass_[s.a / D] * dv);
+      });
+    }
+    for (const Volume& volume : volumes_) addVolumeBlocks(volume, x, add);
+    for (const Plane& plane : planes_) addPlaneBlocks(plane, t, x, v, add);
+    for (std::size_t i = 0; i < size(); ++i) add(i, size() + i, -drag_[i / D]);
+  }
+
  private:
   using Vector = std::array<double, D>;
   struct Spring {
@@ -117,8 +155,8 @@ class PlainForce {
     const int a = place[static_cast<std::size_t>(s.a)], b = place[static_cast<std::size_t>(s.b)];
     damped_ = damped_ || s.dRelative > 0.0 || s.dProjected > 0.0;
     if (a >= 0 && b >= 0) {
-      springs_.push_back({D * static_cast<std::size_t>(a), D * static_cast<std::size_t>(b), s.k, s.L0, s.dRelative,
-                          s.dProjected});
+      springs_.push_back(
+          {D * static_cast<std::size_t>(a), D * static_cast<std::size_t>(b), s.k, s.L0, s.dRelative, s.dProjected});
     } else if (a >= 0 || b >= 0) {
       Anchored spring{D * static_cast<std::size_t>(std::max(a, b)), {}, s.k, s.L0, s.dRelative, s.dProjected};
       const engine::ModelNode& pin = model.nodes[static_cast<std::size_t>(a < 0 ? s.a : s.b)];
@@ -182,20 +220,79 @@ class PlainForce {
     for (std::size_t c = 0; c < D; ++c) f[s.a + c] += factor * d[c] - s.dRelative * v[s.a + c];
   }
 
-  static void push(const Volume& volume, const double* x, double* f) {
+  /// dF_a/dx and dF_a/dv of a spring, entry by entry; at the other end they are the opposite.
+  template <class SpringKind, class Entry>
+  static void addSpringBlocks(const SpringKind& s, const double* d, const double* w, Entry entry) {
+    double squares = 0.0, along = 0.0;
+    for (std::size_t c = 0; c < D; ++c) {
+      squares += d[c] * d[c];
+      along += w[c] * d[c];
+    }
+    const double L = std::sqrt(squares), stretched = s.k * (1.0 - s.L0 / L);
+    for (std::size_t r = 0; r < D; ++r) {
+      for (std::size_t c = 0; c < D; ++c) {
+        const double same = r == c ? 1.0 : 0.0, nn = d[r] * d[c] / squares;
+        const double damping = s.dProjected * (along * same + d[r] * w[c] - 2.0 * along * nn) / squares;
+        entry(r, c, -stretched * (same - nn) - s.k * nn - damping, -s.dProjected * nn - s.dRelative * same);
+      }
+    }
+  }
+
+  template <class Add>
+  void addVolumeBlocks(const Volume& volume, const double* x, Add add) const {
+    double g[3][3];
+    gradientsOf(volume, x, g);
+    const auto slope = [&g](std::size_t j, std::size_t c) {
+      return j > 0 ? g[j - 1][c] : -(g[0][c] + g[1][c] + g[2][c]);
+    };
+    for (std::size_t i = 0; i < 12; ++i) {
+      const std::size_t row = volume.node[i / 3] + i % 3;
+      for (std::size_t j = 0; j < 12; ++j) {
+        const double value = -volume.k * slope(i / 3, i % 3) * slope(j / 3, j % 3);
+        add(row, volume.node[j / 3] + j % 3, inverseMass_[row / D] * value);
+      }
+    }
+  }
+
+  template <class Add>
+  void addPlaneBlocks(const Plane& plane, double t, const double* x, const double* v, Add add) const {
+    const auto [level, speed] = placeOf(plane, t);
+    for (std::size_t i = 0; i < user_.size(); ++i) {
+      double depth = level, inward = speed;
+      for (std::size_t c = 0; c < D; ++c) {
+        depth -= x[D * i + c] * plane.normal[c];
+        inward -= v[D * i + c] * plane.normal[c];
+      }
+      const double acts = depth > 0.0 && plane.k * depth + plane.d * inward > 0.0 ? inverseMass_[i] : 0.0;
+      for (std::size_t r = 0; r < D; ++r) {
+        for (std::size_t c = 0; c < D; ++c) {
+          const double nn = acts * plane.normal[r] * plane.normal[c];
+          add(D * i + r, D * i + c, -plane.k * nn);
+          add(D * i + r, size() + D * i + c, -plane.d * nn);
+        }
+      }
+    }
+  }
+
+  /// Gradients of the volume by the nodes b, c, d; returns the volume.
+  static double gradientsOf(const Volume& volume, const double* x, double (&g)[3][3]) {
     const double* a = x + volume.node[0];
     double e[3][3];
     for (std::size_t j = 0; j < 3; ++j) {
       for (std::size_t c = 0; c < 3; ++c) e[j][c] = x[volume.node[j + 1] + c] - a[c];
     }
-    double g[3][3];  // of the volume, by the nodes b, c, d
     for (std::size_t j = 0; j < 3; ++j) {
       const double *p = e[(j + 1) % 3], *q = e[(j + 2) % 3];
       g[j][0] = (p[1] * q[2] - p[2] * q[1]) / 6.0;
       g[j][1] = (p[2] * q[0] - p[0] * q[2]) / 6.0;
       g[j][2] = (p[0] * q[1] - p[1] * q[0]) / 6.0;
     }
-    const double V = e[0][0] * g[0][0] + e[0][1] * g[0][1] + e[0][2] * g[0][2];
+    return e[0][0] * g[0][0] + e[0][1] * g[0][1] + e[0][2] * g[0][2];
+  }
+
+  static void push(const Volume& volume, const double* x, double* f) {
+    double g[3][3];
+    const double V = gradientsOf(volume, x, g);
     const double pressure = -volume.k * (V - volume.V0);
     for (std::size_t c = 0; c < 3; ++c) {
       f[volume.node[0] + c] -= pressure * (g[0][c] + g[1][c] + g[2][c]);
@@ -203,13 +300,19 @@ class PlainForce {
     }
   }
 
-  void push(const Plane& plane, double t, const double* x, const double* v, double* f) const {
+  /// Its height along the normal [m], and how fast that grows [m/s].
+  static std::pair<double, double> placeOf(const Plane& plane, double t) {
     const double moved = std::min(t, plane.stopTime);
     double level = 0.0, speed = 0.0;
     for (std::size_t c = 0; c < D; ++c) {
       level += (plane.point[c] + moved * plane.velocity[c]) * plane.normal[c];
       if (t < plane.stopTime) speed += plane.velocity[c] * plane.normal[c];
     }
+    return {level, speed};
+  }
+
+  void push(const Plane& plane, double t, const double* x, const double* v, double* f) const {
+    const auto [level, speed] = placeOf(plane, t);
     for (std::size_t i = 0; i < user_.size(); ++i) {
       double depth = level, inward = speed;
       for (std::size_t c = 0; c < D; ++c) {

@@ -15,7 +15,7 @@ namespace muelle::bench {
 template <int D>
 class PlainProblem {
  public:
-  static constexpr Row row = Row::Plain;
+  static constexpr Row ofRow = Row::Plain;
 
   explicit PlainProblem(const BenchScene& scene) : scene_(scene), force_(scene.modelOfPeers()) {}
 
@@ -28,6 +28,13 @@ class PlainProblem {
   void acceleration(double t, const double* x, const double* v, double* a) const {
     force_(t, x, v, a);
     ++evaluations;
+  }
+  /// add(row, column, value) for every entry of the slope's matrix, of 2 size() unknowns (x, v); see PlainForce.
+  template <class Add>
+  void jacobian(double t, const double* x, const double* v, Add add) const {
+    for (std::size_t i = 0; i < size(); ++i) add(i, size() + i, 1.0);
+    force_.jacobian(t, x, v,
+                    [&](std::size_t row, std::size_t column, double value) { add(size() + row, column, value); });
   }
   /// All nodes, numbered as `scene.model`, whatever the order of the peers' own.
   PathPoint point(double t, const double* x, const double* v) const {
@@ -62,7 +69,7 @@ class PlainProblem {
 /// The same with the engine's force: row B. The arrays have the system's lanes.
 class KernelProblem {
  public:
-  static constexpr Row row = Row::Kernel;
+  static constexpr Row ofRow = Row::Kernel;
 
   KernelProblem(const BenchScene& scene, const engine::ModelSystem& system)
       : scene_(scene), system_(system), start_(system.initialState()) {}
@@ -76,6 +83,26 @@ class KernelProblem {
     system_.acceleration(t, {x, size()}, {v, size()}, start_.z, {a, size()});
     ++evaluations;
   }
+  /// As PlainProblem's.
+  template <class Add>
+  void jacobian(double t, const double* x, const double* v, Add add) const {
+    const engine::Linearisation& linearisation = *system_.linearisation();
+    const std::span<const int> lanes = system_.lanes();
+    const auto lane = [&lanes](Eigen::Index i) {
+      return static_cast<std::size_t>(lanes.empty() ? static_cast<int>(i) : lanes[static_cast<std::size_t>(i)]);
+    };
+    for (std::size_t i = 0; i < size(); ++i) add(i, size() + i, 1.0);
+    for (const bool byVelocity : {false, true}) {
+      linearisation.assemble(0.0, byVelocity ? 1.0 : 0.0, byVelocity ? 0.0 : 1.0, t, {x, size()}, {v, size()}, start_.z,
+                             engine::Form::Exact, matrix_);
+      for (Eigen::Index j = 0; j < matrix_.sparse.outerSize(); ++j) {
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix_.sparse, j); entry; ++entry) {
+          const std::size_t row = lane(entry.row());
+          add(size() + row, lane(j) + (byVelocity ? size() : 0), -system_.inverseMass()[row] * entry.value());
+        }
+      }
+    }
+  }
   PathPoint point(double t, const double* x, const double* v) const {
     return pointOf(system_, {t, {x, x + size()}, {v, v + size()}, start_.z});
   }
@@ -86,6 +113,7 @@ class KernelProblem {
   const BenchScene& scene_;
   const engine::ModelSystem& system_;
   State start_;
+  mutable engine::SystemMatrix matrix_;
 };
 
 }  // namespace muelle::bench
