@@ -73,7 +73,6 @@ bool isQuick(const Contestant& contestant) {
 BenchScene sceneFor(const std::string& name, const Command& command) {
   BenchScene scene = makeScene(name);
   if (command.quick && scene.quickDuration > 0.0) scene.duration = scene.quickDuration;
-  if (command.quick) scene.samples = std::min(scene.samples, 40);
   return scene;
 }
 
@@ -87,13 +86,13 @@ std::vector<std::string> chosen(const Command& command) {
 }
 
 SceneResult runScene(const BenchScene& scene, Record& record, const Command& command, const std::string& stamp) {
+  muelle::ProgressBar bar(scene.name);
   const std::unique_ptr<muelle::engine::ModelSystem> system = muelle::engine::build(scene.model);
   std::vector<std::string> left;
   Contestants contestants = engineContestants(scene, *system, left);
   const Peers peers(scene, *system);
   peers.addTo(contestants);
   if (command.quick) std::erase_if(contestants, [](const auto& contestant) { return !isQuick(*contestant); });
-  muelle::ProgressBar bar(scene.name);
   Reference reference(scene, *system, fs::path(command.out) / "kept" / (scene.name + ".reference"), stamp);
   judge(reference, scene, contestants, record);
   SweepOptions options = optionsOf(command);

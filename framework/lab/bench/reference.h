@@ -37,7 +37,7 @@ class Reference {
   void judgeBy(const std::string& arbiter, const PathError& error);
   const PathError& doubt() const { return doubt_; }
   const std::string& arbiter() const { return arbiter_; }
-  /// The scene's largest |y| [m] and |v - V| [m/s] of a node.
+  /// The scene's largest |y| [m] and |v - V| [m/s] of a node, at any end of a step of the reference.
   const PathError& motion() const { return motion_; }
 
   /// How much an offset of the start grows: the largest e_x at any sample over that with which the start was disturbed
@@ -48,7 +48,7 @@ class Reference {
   void compute();
   bool read(const std::filesystem::path& file, const std::string& stamp);
   void write(const std::filesystem::path& file, const std::string& stamp) const;
-  std::vector<State> statesFrom(State start, double tolerance) const;
+  std::vector<State> statesFrom(State start, double tolerance, PathError* motion) const;
   State stateAt(double t) const;
 
   const BenchScene& scene_;

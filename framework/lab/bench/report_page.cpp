@@ -45,11 +45,12 @@ constexpr const char* howToRead =
 
 std::string sceneSection(const SceneResult& scene) {
   std::string text = fmt::format(
-      "## {}\n\n`{}`: {}, {}. The reference agrees with {} to {:.1e} (velocities {:.1e}); small errors of the start "
+      "## {}\n\n`{}`: {:.3g} s, {}, {}. The reference agrees with {} to {:.1e} (velocities {:.1e}); small errors of "
+      "the start "
       "grow "
       "{:.3g} times. {} of what competes{}.\n\n![{}](speed/{}.png)\n\n",
-      scene.title, scene.name, counted(scene.unknowns, "unknown"), counted(scene.springs, "spring"), scene.arbiter,
-      scene.doubt.position, scene.doubt.velocity, scene.amplification, counted(scene.rounds, "round"),
+      scene.title, scene.name, scene.duration, counted(scene.unknowns, "unknown"), counted(scene.springs, "spring"),
+      scene.arbiter, scene.doubt.position, scene.doubt.velocity, scene.amplification, counted(scene.rounds, "round"),
       scene.busy > 0.3 ? fmt::format("; {:.1f} other processes wanted a processor", scene.busy) : "", scene.title,
       scene.name);
   text += "| error | ours | A | B | A / ours | B / ours |\n|---|---|---|---|---|---|\n";

@@ -26,10 +26,10 @@ std::string timeText(double seconds) {
 }
 
 std::string tableText(const SceneResult& scene) {
-  std::string text =
-      fmt::format("{}: {}; {}, {}\n  reference good to {:.1e} in x, {:.1e} in v ({}); small errors grow {:.3g} times\n",
-                  scene.name, scene.title, counted(scene.unknowns, "unknown"), counted(scene.springs, "spring"),
-                  scene.doubt.position, scene.doubt.velocity, scene.arbiter, scene.amplification);
+  std::string text = fmt::format(
+      "{}: {}, {:.3g} s; {}, {}\n  reference good to {:.1e} in x, {:.1e} in v ({}); small errors grow {:.3g} times\n",
+      scene.name, scene.title, scene.duration, counted(scene.unknowns, "unknown"), counted(scene.springs, "spring"),
+      scene.doubt.position, scene.doubt.velocity, scene.arbiter, scene.amplification);
   for (const Entry& entry : entriesOf(scene)) {
     if (!entry.allowed) {
       text += fmt::format("  {:.0e}  no entry: the reference is not a hundred times better\n", entry.target);

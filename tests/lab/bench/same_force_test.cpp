@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SameForce,
                          ::testing::Values(Case{"oscillator", 0.1}, Case{"pendulum", 0.1}, Case{"chain", 0.01},
                                            Case{"cloth_16", 2e-3}, Case{"damped_cloth_16", 2e-3}, Case{"drum", 2e-3},
                                            Case{"ball", 0.455}, Case{"rabbit", 5e-3}),
-                         [](const auto& info) { return info.param.scene; });
+                         [](const auto& drawn) { return drawn.param.scene; });
 
 TEST(SameForce, OfVolumesAndOfAPlaneThatIsTouched) {
   engine::Model model = makeScene("jelly").model;
