@@ -29,7 +29,7 @@ struct Command {
   std::vector<std::string> scenes;
   std::string out = "out/bench";
   std::string note;
-  double longest = 5.0;
+  double longest = 5.0, springs = 1e7;
   int rounds = 15;
   bool quick = false, list = false, keep = false, scaling = false;
 };
@@ -167,7 +167,7 @@ void runScenes(const Command& command, Findings& found) {
 
 void runScaling(const Command& command, Findings& found) {
   ScalingOptions options;
-  if (command.quick) options.mostSprings = 1e5;
+  options.mostSprings = command.quick ? std::min(1e5, command.springs) : command.springs;
   muelle::ProgressBar bar("scaling");
   options.progress = [&bar](double fraction) { bar.update(fraction); };
   found.scaling = measureScaling(options);
@@ -209,6 +209,7 @@ int parseAndRun(int argc, char** argv) {
   program.option("--out", command.out, "Folder for tables, figures and the record of runs").showDefault();
   program.flag("--scaling", command.scaling,
                "Time and memory from 1e3 to 1e7 springs; scenes only with --scene or --keep");
+  program.option("--springs", command.springs, "With --scaling: up to so many springs").showDefault();
   program.option("--rounds", command.rounds, "Interleaved runs of what competes for an entry")
       .range(1, 1000)
       .showDefault();

@@ -42,6 +42,8 @@ class EngineContestant : public Contestant {
     options.duration = scene_.duration;
     options.locateEvents = scene_.locateEvents;
     options.fixedStep = fixed_;
+    // A tolerance below rounding makes steps without end.
+    options.mostForceEvaluations = unknownsOf(scene_.model) < 100 ? 100'000'000 : 2'000'000;
     if (fixed_) {
       options.h = scene_.duration / static_cast<double>(scene_.stepsOf(setting));
     } else {

@@ -10,12 +10,12 @@
 #include "lab/run/foresight.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace muelle::bench {
 
@@ -23,12 +23,14 @@ using namespace engine;
 
 namespace {
 
-/// What the process has of the machine's memory [byte].
-double residentMemory() {
-  std::istringstream numbers(tryReadFile("/proc/self/statm").value_or("0 0"));
-  double all = 0.0, resident = 0.0;
-  numbers >> all >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+/// What the process has allocated [byte]; 0 where the C library does not tell.
+double allocatedMemory() {
+#if defined(__GLIBC__)
+  const struct mallinfo2 memory = mallinfo2();
+  return static_cast<double>(memory.uordblks) + static_cast<double>(memory.hblkhd);
+#else
+  return 0.0;
+#endif
 }
 
 /// Nodes a side of a cloth with about so many springs: six a node.
@@ -60,10 +62,10 @@ ScalingRow rowFor(const std::string& kind, const Model& model, const std::string
   row.kind = kind;
   row.springs = std::ssize(model.springs);
   row.unknowns = unknownsOf(model);
-  const double before = residentMemory(), begin = options.now();
+  const double before = allocatedMemory(), begin = options.now();
   const std::unique_ptr<ModelSystem> system = build(model);
   row.build = options.now() - begin;
-  row.bytes = std::max(0.0, residentMemory() - before);
+  row.bytes = std::max(0.0, allocatedMemory() - before);
   row.step = timeSteps(*system, method, h, options);
   return row;
 }
@@ -107,6 +109,8 @@ void measureImplicit(Scaling& scaling, const std::string& method, const ScalingO
 }
 
 constexpr const char* sceneFile = R"(title = "Scaling"
+shows = "what reading takes"
+slide = "Todo junto..."
 gravity = 9.81
 [[object]]
 kind = "grid"

@@ -96,7 +96,7 @@ BenchScene cloth(int n, double duration) {
                    .kind = SceneKind::Grid};
   scene.duration = duration;
   scene.quick = n == 16;
-  scene.quickDuration = 0.05;
+  scene.quickDuration = 0.03;
   scene.samples = 40;
   return scene;
 }

@@ -16,7 +16,7 @@ namespace muelle::bench {
 
 namespace {
 
-constexpr double coarsestTolerance = 0.1, finestTolerance = 1e-13;
+constexpr double coarsestTolerance = 0.1, finestTolerance = 1e-12;
 constexpr int mostSettings = 45;
 
 std::string exact(double value) { return fmt::format("{:.17g}", value); }
