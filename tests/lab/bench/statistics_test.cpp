@@ -27,6 +27,13 @@ TEST(Statistics, OfFifteenValuesTheMedianAndItsInterval) {
   EXPECT_EQ(s.high, 12.0);
 }
 
+TEST(Statistics, OfEightValuesNoneIsCutOff) {
+  // One below the median at most: (1 + 8) / 2^8 = 3.5 % at one end, 7 % at both, more than the 5 % that may be missed.
+  EXPECT_EQ(statisticsOf(upTo(8)).low, 1.0);
+  EXPECT_EQ(statisticsOf(upTo(8)).high, 8.0);
+  EXPECT_EQ(statisticsOf(upTo(9)).low, 2.0);  // (1 + 9) / 2^9 = 2 %
+}
+
 TEST(Statistics, OfFewValuesTheIntervalIsAllOfThem) {
   const Statistics s = statisticsOf({3.0, 1.0, 2.0, 10.0});
   EXPECT_EQ(s.median, 2.5);
