@@ -50,10 +50,10 @@ Figure work_precision() {
   const std::vector<bench::KeptCurve> curves =
       bench::readKeptCurves(bench::keptPoints(MUELLE_RESULTS), bench::lectureScene);
   Figure figure("work_precision", "Speed against error: the more digits are asked for, the more a high order pays",
-                "error of an elastic pendulum's path over 10 s, in parts of the motion");
+                "error eₓ over 10 s, in parts of the motion");
   figure.slide(2);
   auto evaluations = figure.panel("");
-  evaluations.heading("evaluations of the force");
+  evaluations.heading("evaluations of the force, elastic pendulum");
   auto seconds = figure.panel("");
   seconds.heading("processor time [s], medians");
   double least = 1e-3;

@@ -46,9 +46,9 @@ BenchScene makeScene(const std::string& name);
 /// Degrees of freedom that nothing holds.
 int unknownsOf(const engine::Model& model);
 
-/// A square cloth of `n` x `n` nodes, 1 m and 1 kg, that hangs from its two upper corners: structural, shear and bending
-/// springs of stiffness k [N/m] and projected damping d [kg/s], each node with a drag of `drag` [1/s] times its mass.
-/// It starts as a wave of 0.15 m across, in which every spring has its rest length.
+/// A square cloth of `n` x `n` nodes, 1 m and 1 kg, that hangs from its two upper corners: structural, shear and
+/// bending springs of stiffness k [N/m] and projected damping d [kg/s], each node with a drag of `drag` [1/s] times its
+/// mass. It starts as a wave of 0.15 m across, in which every spring has its rest length.
 engine::Model waveCloth(int n, double k, double d, double drag);
 
 /// The same physics with nodes and springs in a random order (fixed seed); place[i] is the new number of node i.
