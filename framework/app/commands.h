@@ -20,6 +20,7 @@ void addClean(CommandLine& program);
 void addRun(CommandLine& program);
 void addRest(CommandLine& program);
 void addHardCases(CommandLine& program);
+void addBench(CommandLine& program);
 void addFigures(CommandLine& program);
 #endif
 

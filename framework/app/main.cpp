@@ -23,7 +23,7 @@ constexpr AddCommand commands[] = {
     addGrade, addTestTheTests, addClean,
 #endif
 #if MUELLE_HAS_ENGINE
-    addRun,   addRest,         addHardCases, addFigures,
+    addRun,   addRest,         addHardCases, addBench, addFigures,
 #endif
     addTest,  addDocs,
 };

@@ -24,6 +24,7 @@ void printNextSteps() {
   step("./muelle rest hanging_chain --plot", "where a scene stands still: stable or not, tensions");
   step("./muelle figures", "draw the figures of the lecture");
   step("./muelle hard-cases", "every method on every hard case");
+  step("./muelle bench --quick", "speed against error, beside other libraries");
 #endif
   fmt::print("\nEvery command explains itself: ./muelle check --help\n");
 }

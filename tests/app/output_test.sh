@@ -65,6 +65,10 @@ if [[ -x "$bin/muelle-rest" ]]; then
 fi
 if [[ -x "$bin/muelle-figures" ]]; then try figures --list; fi
 if [[ -x "$bin/muelle-hard-cases" ]]; then try hard-cases --help; fi
+if [[ -x "$bin/muelle-bench" ]]; then
+  try bench --help
+  try bench --list
+fi
 
 # Each closed stream has a stand-in: what is opened later must not get its number and be written to.
 "$muelle" check "$topic" --file "$answer" --no-plot 0<&- 2>&- >out || {

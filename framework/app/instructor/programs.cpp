@@ -48,6 +48,10 @@ void addHardCases(CommandLine& program) {
   addProgram(program, "hard-cases", "Every method of the engine on every hard case: predicted first, then run");
 }
 
+void addBench(CommandLine& program) {
+  addProgram(program, "bench", "Speed against error: every method, and the libraries one would take instead");
+}
+
 void addFigures(CommandLine& program) { addProgram(program, "figures", "Draw the figures of the lecture"); }
 
 }  // namespace muelle::app
