@@ -50,7 +50,7 @@ std::string timeLine(const SceneRun& run) {
   const double wall = run.result.wallTime;
   std::string text = fmt::format("{:.6g} s simulated in {:.3g} s", t, wall);
   if (wall > 0.0) text += fmt::format(", {:.3g} times real time", t / wall);
-  if (run.result.checkTime > 0.0) text += fmt::format("; {:.2g} s before it to look at the step", run.result.checkTime);
+  if (run.result.checkTime > 0.0) text += fmt::format("; {:.2g} s beside it to look at the step", run.result.checkTime);
   return text;
 }
 
