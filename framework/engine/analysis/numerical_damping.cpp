@@ -70,6 +70,21 @@ State pilot(const DynamicalSystem& system, Integrator& method, State state, doub
 
 }  // namespace
 
+double stabilityFunctionLoss(const DynamicalSystem& system, Integrator& method, const State& start, double h,
+                             double steps) {
+  std::vector<Mode> modes;
+  LookBudget unbounded;
+  addModes(system, start, unbounded, modes);
+  Amplification amplification(method);
+  double lost = 0.0, total = 0.0;
+  for (const Mode& mode : modes) {
+    const double z = h * mode.frequency();
+    lost += mode.energy * (1.0 - std::pow(std::min(1.0, amplification.growth(z * z, 0.0)), 2.0 * steps));
+    total += mode.energy;
+  }
+  return total > 0.0 ? lost / total : 0.0;
+}
+
 NumericalDamping numericalDamping(const DynamicalSystem& system, Integrator& method, const State& start, double h,
                                   double duration, LookBudget& budget) {
   NumericalDamping result;

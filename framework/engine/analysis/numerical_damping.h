@@ -30,4 +30,10 @@ inline NumericalDamping numericalDamping(const DynamicalSystem& system, Integrat
   return numericalDamping(system, method, start, h, duration, unbounded);
 }
 
+/// The part of the modes' energy that the method's stability function takes in a run of `steps` steps of h: the share
+/// of each mode that holds energy at the start, times 1 - |R(i h omega)|^(2 steps). Linear theory: what moves from slow
+/// modes into fast ones on the way is lost besides. `method` is run on systems of the function's own.
+double stabilityFunctionLoss(const DynamicalSystem& system, Integrator& method, const State& start, double h,
+                             double steps);
+
 }  // namespace muelle::engine

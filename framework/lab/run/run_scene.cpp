@@ -247,6 +247,7 @@ std::string summaryOf(const Scene& scene, const SceneRun& run) {
   text += line("error", errorLine(run));
   if (run.error && run.error->failure.empty()) text += outputErrorLines(scene, *run.error);
   text += line("energy", energyLine(run.energy));
+  if (const std::string loss = energyLoss(run.energy); !loss.empty()) text += line("loss", loss);
   text += line("work", workLine(result.work));
   for (std::size_t i = 0; i < std::min(result.warnings.size(), shownWarnings); ++i) {
     text += line("warning", result.warnings[i]);
