@@ -83,8 +83,8 @@ double behindAnAnchorThatStops(double t, double T) {
   return u * T + L0 + y * std::cos(omega * (t - T)) + speed / omega * std::sin(omega * (t - T));
 }
 
-/// Seen on adaptive explicit methods in a contact, where a tenth of the tolerance is beyond rounding: here the first run
-/// says that it was far shorter than it was.
+/// Seen on adaptive explicit methods in a contact, where a tenth of the tolerance is beyond rounding: here the first
+/// run says that it was far shorter than it was.
 TEST(ErrorEstimate, GivesUpOnAFinerRunThatTakesFarMoreThanTheFirst) {
   Scene scene = oscillator();
   scene.step = 5e-5;
