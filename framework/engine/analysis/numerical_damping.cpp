@@ -70,19 +70,25 @@ State pilot(const DynamicalSystem& system, Integrator& method, State state, doub
 
 }  // namespace
 
-double stabilityFunctionLoss(const DynamicalSystem& system, Integrator& method, const State& start, double h,
-                             double steps) {
+StabilityFunctionLoss stabilityFunctionLoss(const DynamicalSystem& system, Integrator& method, const State& start,
+                                            double h, double steps) {
+  StabilityFunctionLoss loss;
   std::vector<Mode> modes;
   LookBudget unbounded;
   addModes(system, start, unbounded, modes);
   Amplification amplification(method);
+  const auto kept = [&](double z) { return std::min(1.0, amplification.growth(z * z, 0.0)); };
   double lost = 0.0, total = 0.0;
   for (const Mode& mode : modes) {
-    const double z = h * mode.frequency();
-    lost += mode.energy * (1.0 - std::pow(std::min(1.0, amplification.growth(z * z, 0.0)), 2.0 * steps));
+    lost += mode.energy * (1.0 - std::pow(kept(h * mode.frequency()), 2.0 * steps));
     total += mode.energy;
   }
-  return total > 0.0 ? lost / total : 0.0;
+  if (total > 0.0) loss.share = lost / total;
+  for (const Mode& mode : extremeModes(LinearisedSystem(system, start))) {
+    loss.fastest = std::max(loss.fastest, h * mode.frequency());
+  }
+  loss.factor = kept(loss.fastest);
+  return loss;
 }
 
 NumericalDamping numericalDamping(const DynamicalSystem& system, Integrator& method, const State& start, double h,

@@ -30,10 +30,16 @@ inline NumericalDamping numericalDamping(const DynamicalSystem& system, Integrat
   return numericalDamping(system, method, start, h, duration, unbounded);
 }
 
-/// The part of the modes' energy that the method's stability function takes in a run of `steps` steps of h: the share
-/// of each mode that holds energy at the start, times 1 - |R(i h omega)|^(2 steps). Linear theory: what moves from slow
-/// modes into fast ones on the way is lost besides. `method` is run on systems of the function's own.
-double stabilityFunctionLoss(const DynamicalSystem& system, Integrator& method, const State& start, double h,
-                             double steps);
+/// What the method's stability function R takes, by linear theory about the start.
+struct StabilityFunctionLoss {
+  /// The part of the modes' energy that goes in the whole run: the share of each mode that holds energy at the start,
+  /// times 1 - |R(i h omega)|^(2 steps). What moves from slow modes into fast ones on the way is lost besides.
+  double share = 0.0;
+  double fastest = 0.0;  ///< h omega of the fastest mode
+  double factor = 1.0;   ///< |R| there: what a step leaves of its amplitude
+};
+/// `method` is run on systems of the function's own.
+StabilityFunctionLoss stabilityFunctionLoss(const DynamicalSystem& system, Integrator& method, const State& start,
+                                            double h, double steps);
 
 }  // namespace muelle::engine

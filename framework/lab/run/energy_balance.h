@@ -1,4 +1,5 @@
 #pragma once
+#include "engine/analysis/numerical_damping.h"
 #include "engine/control/simulate.h"
 #include "engine/model/model_system.h"
 
@@ -33,10 +34,9 @@ struct EnergyBalance {
   /// The gain that the method's own, modified energy allows at this step [J]; looked for only when there is a gain of
   /// more than 5 % of the scale.
   double allowed = 0.0;
-  /// What the stability function takes of the energy of the modes, in parts of it (see
-  /// engine::stabilityFunctionLoss()); only of an implicit method that loses by a fixed step, in a scene that keeps its
-  /// energy, and that has lost some.
-  std::optional<double> linearLoss = {};
+  /// What the stability function takes; only of an implicit method that loses by a fixed step, in a scene that nothing
+  /// drives, and that has lost some.
+  std::optional<engine::StabilityFunctionLoss> linearLoss = {};
   /// Whether it rises by more than 5 % of the scale and than the method's modified energy allows, in a scene that can
   /// only keep or lose it: then the run is none of this scene.
   bool fails() const;

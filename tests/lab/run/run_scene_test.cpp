@@ -216,7 +216,9 @@ TEST(Summary, SetsTheLossOfAnImplicitMethodBesideThatOfItsStabilityFunction) {
   SceneRun result = runScene(scene);
   const double kept = std::pow(1.01, -100.0);
   ASSERT_TRUE(result.energy.linearLoss.has_value());
-  EXPECT_NEAR(*result.energy.linearLoss, 1.0 - kept, 1e-9);
+  EXPECT_NEAR(result.energy.linearLoss->share, 1.0 - kept, 1e-9);
+  EXPECT_NEAR(result.energy.linearLoss->fastest, 0.1, 1e-9);
+  EXPECT_NEAR(result.energy.linearLoss->factor, 1.0 / std::sqrt(1.01), 1e-9);
   EXPECT_NEAR(-result.energy.end, 2.0 * (1.0 - kept), 1e-7);
   EXPECT_THAT(summaryOf(scene, result), HasSubstr("1.26 J by the method, 4.8 % of the scene's 26 J; its stability "
                                                   "function takes 63 % of the modes that hold energy at the start"));
