@@ -224,7 +224,7 @@ TEST(H24BadInputs, LengthsNeitherOverflowNorUnderflow) {
     model.springs = {{.a = 0, .b = 1, .k = 1e-3, .L0 = 0.0}};
     const auto system = engine::build(model);
     const State state = system->initialState();
-    std::vector<double> f(3);
+    std::vector<double> f(state.x.size());
     system->force(0.0, state.x, state.v, state.z, f);
     EXPECT_NEAR(f[0] / (-1e-3 * 3.0 * scale), 1.0, 1e-15);
     EXPECT_NEAR(f[1] / (-1e-3 * 4.0 * scale), 1.0, 1e-15);

@@ -49,6 +49,12 @@ LinearisedSystem::~LinearisedSystem() = default;
 
 int LinearisedSystem::size() const { return system_.size(); }
 
+const SystemMatrix* LinearisedSystem::stiffnessMatrix() const { return matrices_ != nullptr ? &matrices_->K : nullptr; }
+
+const SystemMatrix* LinearisedSystem::dampingMatrix() const {
+  return matrices_ != nullptr && !isUndamped() ? &matrices_->D : nullptr;
+}
+
 void LinearisedSystem::difference(In y, bool ofVelocity, Out out) const {
   const std::vector<double>& base = ofVelocity ? state_.v : state_.x;
   const double scale = std::max(largest(base), ofVelocity ? 1.0 : 1e-3);

@@ -24,6 +24,9 @@ class LinearisedSystem {
   void drag(In y, Out out) const;
   /// Whether D vanishes.
   bool isUndamped() const { return !system_.forceUsesVelocity(); }
+  /// The matrices; null where products come from differences, and D's where it vanishes.
+  const SystemMatrix* stiffnessMatrix() const;
+  const SystemMatrix* dampingMatrix() const;
 
  private:
   struct Matrices;

@@ -19,13 +19,26 @@ double massProduct(const CompactSystem& system, const std::vector<double>& y) {
   return sum;
 }
 
+/// The dimension of two subspaces about a state; 0 where the budget has too little for any.
+int affordable(const LinearisedSystem& system, const LookBudget& budget) {
+  constexpr int wanted = 24, least = 4;
+  int dimension = wanted;
+  while (dimension >= least && !budget.covers(2.0 * modesOfCost(system, dimension))) --dimension;
+  return dimension >= least ? dimension : 0;
+}
+
 /// Adds the modes that hold energy at a state, `energy` in joule.
-void addModes(const DynamicalSystem& whole, const State& at, std::vector<Mode>& modes) {
+void addModes(const DynamicalSystem& whole, const State& at, LookBudget& budget, std::vector<Mode>& modes) {
+  if (!budget.covers(assemblyCost(whole))) return;
   const LinearisedSystem linearised(whole, at);
+  budget.spend(assemblyCost(whole));
+  const int dimension = affordable(linearised, budget);
+  if (dimension == 0) return;
+  budget.spend(2.0 * modesOfCost(linearised, dimension));
   const CompactSystem& system = linearised.system();
   const State state = system.compact(at);
   const double kinetic = 0.5 * massProduct(system, state.v);
-  for (Mode mode : modesOf(linearised, state.v)) {
+  for (Mode mode : modesOf(linearised, state.v, dimension)) {
     mode.energy *= kinetic;
     modes.push_back(mode);
   }
@@ -33,7 +46,7 @@ void addModes(const DynamicalSystem& whole, const State& at, std::vector<Mode>& 
   system.force(state.t, state.x, state.v, state.z, a);
   for (std::size_t i = 0; i < a.size(); ++i) a[i] /= system.mass()[i];
   const double size = 0.5 * massProduct(system, a);
-  std::vector<Mode> loaded = modesOf(linearised, a);
+  std::vector<Mode> loaded = modesOf(linearised, a, dimension);
   double stiffest = 0.0;
   for (const Mode& mode : loaded) stiffest = std::max(stiffest, mode.stiffness);
   for (Mode& mode : loaded) {
@@ -59,8 +72,29 @@ State pilot(const DynamicalSystem& system, Integrator& method, State state, doub
 
 }  // namespace
 
+StabilityFunctionLoss stabilityFunctionLoss(const DynamicalSystem& system, Integrator& method, const State& start,
+                                            double h, double steps) {
+  StabilityFunctionLoss loss;
+  std::vector<Mode> modes;
+  LookBudget unbounded;
+  addModes(system, start, unbounded, modes);
+  Amplification amplification(method);
+  const auto kept = [&](double z) { return std::min(1.0, amplification.growth(z * z, 0.0)); };
+  double lost = 0.0, total = 0.0;
+  for (const Mode& mode : modes) {
+    lost += mode.energy * (1.0 - std::pow(kept(h * mode.frequency()), 2.0 * steps));
+    total += mode.energy;
+  }
+  if (total > 0.0) loss.share = lost / total;
+  for (const Mode& mode : extremeModes(LinearisedSystem(system, start))) {
+    loss.fastest = std::max(loss.fastest, h * mode.frequency());
+  }
+  loss.factor = kept(loss.fastest);
+  return loss;
+}
+
 NumericalDamping numericalDamping(const DynamicalSystem& system, Integrator& method, const State& start, double h,
-                                  double duration) {
+                                  double duration, LookBudget& budget) {
   NumericalDamping result;
   Amplification amplification(method);
   // Most methods keep the amplitude of an undamped mode: nothing to look for.
@@ -76,12 +110,15 @@ NumericalDamping numericalDamping(const DynamicalSystem& system, Integrator& met
   if (first.z.empty()) first.z.assign(static_cast<std::size_t>(system.internalSize()), 0.0);
   if (system.switching() != nullptr) system.switching()->commit(first, false);
   std::vector<Mode> modes;
-  addModes(system, first, modes);
-  // The looks take some 300 products with the matrices; the second half of them only where that is a twentieth of the
-  // run.
-  const double evaluations = steps * std::max(1, method.info().stages);
-  const int pilotSteps = evaluations < 6000.0 ? 0 : static_cast<int>(std::min(10.0, steps / 20.0));
-  if (pilotSteps > 0) addModes(system, pilot(system, method, first, h, pilotSteps), modes);
+  addModes(system, first, budget, modes);
+  // The second half of the looks only in long runs, and where the budget has the pilot's steps and something for them.
+  const int stages = std::max(1, method.info().stages);
+  const int pilotSteps = steps * stages < 6000.0 ? 0 : static_cast<int>(std::min(10.0, steps / 20.0));
+  const double pilotCost = static_cast<double>(pilotSteps) * stages;
+  if (pilotSteps > 0 && budget.covers(pilotCost)) {
+    budget.spend(pilotCost);
+    addModes(system, pilot(system, method, first, h, pilotSteps), budget, modes);
+  }
 
   double total = 0.0;
   for (const Mode& mode : modes) total += mode.energy;

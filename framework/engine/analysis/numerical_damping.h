@@ -1,4 +1,5 @@
 #pragma once
+#include "engine/analysis/look_budget.h"
 #include "engine/integrator.h"
 
 #include <string>
@@ -18,10 +19,27 @@ struct NumericalDamping {
 /// Looks at the start and at the end of a pilot run of at most ten steps (and a twentieth of the run): which modes hold
 /// the kinetic energy and the elastic energy that the forces can release (Lanczos from the velocities and from the
 /// accelerations), and what a step does to each (see Amplification). A decay that costs less than 5 % of the amplitude
-/// in `duration` is not worth a word.
+/// in `duration` is not worth a word. Within the budget: as many vectors as it has, none below a handful.
 ///
 /// `method` is run on systems of the function's own and on `system`: prepare() it again before it goes on.
 NumericalDamping numericalDamping(const DynamicalSystem& system, Integrator& method, const State& start, double h,
-                                  double duration);
+                                  double duration, LookBudget& budget);
+inline NumericalDamping numericalDamping(const DynamicalSystem& system, Integrator& method, const State& start,
+                                         double h, double duration) {
+  LookBudget unbounded;
+  return numericalDamping(system, method, start, h, duration, unbounded);
+}
+
+/// What the method's stability function R takes, by linear theory about the start.
+struct StabilityFunctionLoss {
+  /// The part of the modes' energy that goes in the whole run: the share of each mode that holds energy at the start,
+  /// times 1 - |R(i h omega)|^(2 steps). What moves from slow modes into fast ones on the way is lost besides.
+  double share = 0.0;
+  double fastest = 0.0;  ///< h omega of the fastest mode
+  double factor = 1.0;   ///< |R| there: what a step leaves of its amplitude
+};
+/// `method` is run on systems of the function's own.
+StabilityFunctionLoss stabilityFunctionLoss(const DynamicalSystem& system, Integrator& method, const State& start,
+                                            double h, double steps);
 
 }  // namespace muelle::engine

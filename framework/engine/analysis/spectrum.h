@@ -32,4 +32,11 @@ std::vector<Mode> extremeModes(const LinearisedSystem& system, int dimension = 4
 /// its spectral measure). Empty when y vanishes.
 std::vector<Mode> modesOf(const LinearisedSystem& system, In y, int dimension = 24);
 
+/// What they cost, in the worth of force evaluations: products, and what it takes to make bases orthogonal. Of large
+/// systems: the dense eigenproblems, milliseconds, are not counted, nor is assembling the matrices (assemblyCost()).
+double extremeModesCost(const LinearisedSystem& system, int dimension = 40);
+double modesOfCost(const LinearisedSystem& system, int dimension = 24);
+/// Of a LinearisedSystem itself.
+double assemblyCost(const DynamicalSystem& system);
+
 }  // namespace muelle::engine

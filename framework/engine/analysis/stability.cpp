@@ -34,8 +34,8 @@ double limitOf(Amplification& amplification, const Mode& mode) {
 }
 
 /// Rounding may leave a stiffness of 0 at -1e-16 of the largest.
-std::vector<Mode> cleanModes(const LinearisedSystem& system) {
-  std::vector<Mode> modes = extremeModes(system);
+std::vector<Mode> cleanModes(const LinearisedSystem& system, int dimension = 40) {
+  std::vector<Mode> modes = extremeModes(system, dimension);
   double largest = 0.0;
   for (const Mode& mode : modes) largest = std::max(largest, std::abs(mode.stiffness));
   for (Mode& mode : modes) {
@@ -72,7 +72,8 @@ bool isUnconditional(const MethodInfo& method) {
   return method.stability == Stability::AStable || method.stability == Stability::LStable;
 }
 
-StabilityReport report(const DynamicalSystem& system, Integrator& method, const std::vector<Mode>& modes) {
+/// The largest step without growth, and the mode that sets it.
+StabilityReport limitOf(Integrator& method, const std::vector<Mode>& modes) {
   StabilityReport result;
   Amplification amplification(method);
   for (const Mode& mode : modes) {
@@ -87,9 +88,46 @@ StabilityReport report(const DynamicalSystem& system, Integrator& method, const 
     result.mode = mode;
     if (limit == 0.0) break;
   }
+  return result;
+}
+
+StabilityReport report(const DynamicalSystem& system, Integrator& method, const std::vector<Mode>& modes) {
+  StabilityReport result = limitOf(method, modes);
   if (result.mode.unknown >= 0) result.unknown = system.unknownName(result.mode.unknown);
   result.sentence = sentenceOf(result, method.info());
   return result;
+}
+
+/// The dimension of the subspaces that a look may take: all that it wants where the budget has it, less without
+/// matrices, for then there is nothing else to look at; 0 where there is too little.
+int affordable(const LinearisedSystem& system, const LookBudget& budget) {
+  constexpr int wanted = 40, least = 4;
+  if (budget.covers(extremeModesCost(system, wanted))) return wanted;
+  if (system.stiffnessMatrix() != nullptr) return 0;
+  int dimension = wanted;
+  while (dimension >= least && !budget.covers(extremeModesCost(system, dimension))) --dimension;
+  return dimension >= least ? dimension : 0;
+}
+
+/// "up to h = 0.002 s, by a bound from one pass over the springs".
+std::string sureSentence(const DynamicalSystem& system, const std::string& method, double sure,
+                         const SpectrumBound& bound) {
+  const std::string why = fmt::format(
+      "a bound from one pass over the springs (omega at most {:.4g} /s, about {}), for a look at the modes costs too "
+      "much",
+      std::sqrt(bound.stiffness), system.unknownName(bound.unknown));
+  if (sure == 0.0) return fmt::format("no step of {} is surely stable, by {}", method, why);
+  return fmt::format("{} is surely stable up to h = {:.6g} s, by {}", method, sure, why);
+}
+
+std::string boundWarning(const LinearisedSystem& linearised, Integrator& method, double h, LookBudget& budget) {
+  const std::optional<SpectrumBound> bound = spectrumBound(linearised);
+  if (!bound) return {};
+  budget.spend(spectrumBoundCost);
+  const double sure = sureStep(method, *bound);
+  if (h <= sure) return {};
+  return fmt::format("h = {:.4g} s may be unstable: {}", h,
+                     sureSentence(linearised.system(), method.info().name, sure, *bound));
 }
 
 }  // namespace
@@ -99,10 +137,38 @@ StabilityReport stability(const DynamicalSystem& system, Integrator& method, con
   return report(system, method, cleanModes(LinearisedSystem(system, closed(system, state))));
 }
 
+// A mode of stiffness s and damping c has the limit of (q^2 s, q c) times q: so every mode within the bound has at
+// least that of one on its rim, s = S and c <= C or c = C and s <= S. The rim is looked at in steps of a factor of 2,
+// which may pass over a dip of the limit between two of them by a few per cent.
+double sureStep(Integrator& method, const SpectrumBound& bound) {
+  if (isUnconditional(method.info())) return infinite;
+  constexpr double between = 0.95;
+  std::vector<Mode> rim;
+  const auto add = [&](double stiffness, double damping, double drag) {
+    rim.push_back({.stiffness = stiffness, .damping = damping, .drag = drag, .unknown = bound.unknown});
+  };
+  add(bound.stiffness, 0.0, 0.0);
+  if (bound.damping + bound.drag == 0.0) return limitOf(method, rim).largestStep;
+  const std::vector<double> drags = bound.drag > 0.0 ? std::vector<double>{0.0, bound.drag} : std::vector<double>{0.0};
+  for (const double drag : drags) {
+    add(0.0, bound.damping, drag);
+    for (double part = 1.0; part > 1e-3; part *= 0.5) {
+      add(bound.stiffness, part * bound.damping, part * drag);
+      add(part * part * bound.stiffness, bound.damping, drag);
+    }
+  }
+  return between * limitOf(method, rim).largestStep;
+}
+
 std::string instabilityWarning(const DynamicalSystem& system, Integrator& method, const State& state, double h,
-                               double steps) {
+                               double steps, LookBudget& budget) {
   if (isUnconditional(method.info())) return {};
-  const std::vector<Mode> modes = cleanModes(LinearisedSystem(system, closed(system, state)));
+  const LinearisedSystem linearised(system, closed(system, state));
+  budget.spend(assemblyCost(system));
+  const int dimension = affordable(linearised, budget);
+  if (dimension == 0) return boundWarning(linearised, method, h, budget);
+  budget.spend(extremeModesCost(linearised, dimension));
+  const std::vector<Mode> modes = cleanModes(linearised, dimension);
   Amplification amplification(method);
   double worst = 1.0;
   for (const Mode& mode : modes) {
@@ -115,10 +181,24 @@ std::string instabilityWarning(const DynamicalSystem& system, Integrator& method
 }
 
 std::string lateInstabilityWarning(const DynamicalSystem& system, const MethodInfo& method, const State& state,
-                                   double h) {
+                                   double h, LookBudget& budget) {
   if (isUnconditional(method) || !(method.imaginaryLimit > 0.0) || std::isinf(method.imaginaryLimit)) return {};
+  if (!budget.covers(assemblyCost(system) + spectrumBoundCost)) return {};
+  const LinearisedSystem linearised(system, state);
+  budget.spend(assemblyCost(system));
+  const int dimension = affordable(linearised, budget);
+  if (dimension == 0) {
+    const std::optional<SpectrumBound> bound = spectrumBound(linearised);
+    if (!bound) return {};
+    budget.spend(spectrumBoundCost);
+    const double sure = method.imaginaryLimit / std::sqrt(bound->stiffness);
+    if (h <= sure) return {};
+    return fmt::format("t = {:.6g} s: h = {:.4g} s may be unstable from here on: {}", state.t, h,
+                       sureSentence(system, method.name, sure, *bound));
+  }
+  budget.spend(extremeModesCost(linearised, dimension));
   Mode fastest;
-  for (const Mode& mode : cleanModes(LinearisedSystem(system, state))) {
+  for (const Mode& mode : cleanModes(linearised, dimension)) {
     if (mode.stiffness > fastest.stiffness) fastest = mode;
   }
   if (fastest.unknown < 0 || h * fastest.frequency() <= method.imaginaryLimit) return {};

@@ -1,4 +1,6 @@
 #pragma once
+#include "engine/analysis/look_budget.h"
+#include "engine/analysis/spectrum_bound.h"
 #include "engine/analysis/spectrum.h"
 #include "engine/integrator.h"
 
@@ -29,14 +31,22 @@ struct StabilityReport {
 /// `method` is run on systems of the function's own: prepare() it again before it goes on with another one.
 StabilityReport stability(const DynamicalSystem& system, Integrator& method, const State& state);
 
+/// A step up to which no mode within the bound grows [s]: at most the limit of stability(), which it approaches where
+/// the bound is close. 0 where a method has no stable step on modes that damping may leave alone.
+double sureStep(Integrator& method, const SpectrumBound& bound);
+
 /// What a step of h does: one sentence with the limit when, over `steps` steps, an unstable mode grows tenfold or more;
 /// empty otherwise. Cheaper than stability() when all is well. `method` as above.
+///
+/// Where the modes would cost more than the budget has, the step is held against sureStep(): the sentence then says
+/// that it may be unstable, and up to which step it surely is not. A system without matrices has no such bound: it gets
+/// as many vectors as the budget has.
 std::string instabilityWarning(const DynamicalSystem& system, Integrator& method, const State& state, double h,
-                               double steps);
+                               double steps, LookBudget& budget);
 
 /// The same during a run, where modes have switched on: by the method's known limit of h omega on undamped modes, so
 /// that the method itself is left alone. Empty where it has none.
 std::string lateInstabilityWarning(const DynamicalSystem& system, const MethodInfo& method, const State& state,
-                                   double h);
+                                   double h, LookBudget& budget);
 
 }  // namespace muelle::engine

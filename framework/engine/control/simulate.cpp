@@ -47,11 +47,14 @@ RunResult simulate(const DynamicalSystem& system, Integrator& method, State star
   }
   ProgressBar progress(options.label);
   RunRecorder recorder(options, start.t);
+  double lateLooks = 0.0;  // [s]
   recorder.record(simulation.state());
   for (Advance step = simulation.advance(); step.goesOn(); step = simulation.advance()) {
     if (step.kind == Advance::Kind::Step) recorder.recordStep(simulation, step.atOutput);
     if (step.hasJumped) {
+      const auto looked = Clock::now();
       if (std::string warning = looks.afterSwitch(simulation.state()); !warning.empty()) simulation.warn(warning);
+      lateLooks += secondsSince(looked);
     }
     progress.update((simulation.time() - start.t) / options.duration);
   }
@@ -62,7 +65,8 @@ RunResult simulate(const DynamicalSystem& system, Integrator& method, State star
   }
   result.trajectory = recorder.finish(simulation.stop());
   takeOver(simulation, result);
-  result.wallTime = secondsSince(begun);
+  result.wallTime = secondsSince(begun) - lateLooks;
+  result.checkTime += lateLooks;
   return result;
 }
 

@@ -34,7 +34,7 @@ struct RunResult {
   long long subdividedSteps = 0;      ///< steps cut so that nothing passes through an obstacle
   double smallestStep = 0.0;          ///< [s] taken
   double wallTime = 0.0;              ///< [s] of the run itself
-  double checkTime = 0.0;             ///< [s] of the looks at stability and numerical damping before it
+  double checkTime = 0.0;             ///< [s] of the looks at stability and numerical damping
 
   bool failed() const { return trajectory.stop.stopped; }
 };

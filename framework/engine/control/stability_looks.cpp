@@ -5,6 +5,7 @@
 #include "engine/control/run_checks.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 namespace muelle::engine {
 
@@ -18,13 +19,14 @@ StabilityLooks::StabilityLooks(const DynamicalSystem& system, const MethodInfo& 
     : system_(system),
       method_(method),
       options_(options),
-      wanted_((options.checkStability || options.checkNumericalDamping) && (options.fixedStep || !method.adaptive)) {}
+      wanted_((options.checkStability || options.checkNumericalDamping) && (options.fixedStep || !method.adaptive)),
+      budget_(wanted_ ? LookBudget::ofRun(options.duration / options.h * std::max(1, method.stages)) : LookBudget()) {}
 
 std::vector<std::string> StabilityLooks::before(Integrator& method, const State& start) {
   std::vector<std::string> warnings;
   if (options_.checkStability) {
     const double steps = options_.duration / options_.h;
-    std::string warning = instabilityWarning(system_, method, start, options_.h, steps);
+    std::string warning = instabilityWarning(system_, method, start, options_.h, steps, budget_);
     warnedOfInstability_ = !warning.empty();
     if (!warning.empty()) warnings.push_back(std::move(warning));
     if (std::string text = bounce(start); !text.empty()) warnings.push_back(std::move(text));
@@ -34,7 +36,7 @@ std::vector<std::string> StabilityLooks::before(Integrator& method, const State&
     }
   }
   if (options_.checkNumericalDamping) {
-    NumericalDamping damping = numericalDamping(system_, method, start, options_.h, options_.duration);
+    NumericalDamping damping = numericalDamping(system_, method, start, options_.h, options_.duration, budget_);
     if (damping.exceeds) warnings.push_back(std::move(damping.sentence));
   }
   return warnings;
@@ -55,7 +57,7 @@ std::string StabilityLooks::bounce(const State& start) const {
 
 std::string StabilityLooks::afterSwitch(const State& state) {
   if (!wanted_ || !options_.checkStability || warnedOfInstability_ || ++looks_ > mostLooks) return {};
-  std::string warning = lateInstabilityWarning(system_, method_, state, options_.h);
+  std::string warning = lateInstabilityWarning(system_, method_, state, options_.h, budget_);
   warnedOfInstability_ = !warning.empty();
   return warning;
 }

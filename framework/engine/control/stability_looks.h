@@ -1,4 +1,5 @@
 #pragma once
+#include "engine/analysis/look_budget.h"
 #include "engine/control/simulate.h"
 
 #include <string>
@@ -7,7 +8,8 @@
 namespace muelle::engine {
 
 /// What can be said of a fixed step: that it is too long for the stiffest mode, or for a bounce, or that the method
-/// damps what the scene does not.
+/// damps what the scene does not. All looks of a run together cost 5 % of its foreseen force evaluations or 200,
+/// whichever is larger (LookBudget).
 class StabilityLooks {
  public:
   StabilityLooks(const DynamicalSystem& system, const MethodInfo& method, const RunOptions& options);
@@ -27,6 +29,7 @@ class StabilityLooks {
   const MethodInfo& method_;
   const RunOptions& options_;
   bool wanted_;
+  LookBudget budget_;
   int looks_ = 0;
   bool warnedOfInstability_ = false;
 };

@@ -126,8 +126,8 @@ void addCount(std::vector<std::string>& words, int count, const std::string& one
   if (count > 0) words.push_back(counted(count, one, several));
 }
 
-/// What of a mesh is perhaps not meant, in one sentence; empty when nothing is.
-std::string doubtsAbout(const SurfaceMesh& mesh, const Connectivity& found, const std::string& name) {
+/// What of a mesh is perhaps not meant, in one sentence with its full path; empty when nothing is.
+std::string doubtsAbout(const SurfaceMesh& mesh, const Connectivity& found, const std::string& file) {
   std::vector<std::string> words;
   addCount(words, mesh.facesLeftOut, "face without three different corners is left out",
            "faces without three different corners are left out");
@@ -140,7 +140,7 @@ std::string doubtsAbout(const SurfaceMesh& mesh, const Connectivity& found, cons
   const bool shared = found.places < found.vertices;
   if (shared) words.push_back(fmt::format("{} vertices at {}", found.vertices, counted(found.places, "place")));
   if (words.empty()) return "";
-  return fmt::format("mesh '{}': {}{}", printableLine(name), fmt::join(words, ", "),
+  return fmt::format("mesh '{}': {}{}", printableLine(file), fmt::join(words, ", "),
                      shared ? "; weld = true makes one node of those at the same place" : "");
 }
 
@@ -169,7 +169,7 @@ SurfaceMesh readMesh(const TableReader& table, const std::filesystem::path& fold
   }
   SurfaceMesh mesh = readMeshFile(file, wanted);
   if (table.flag("weld", false)) weld(mesh);
-  std::string doubts = doubtsAbout(mesh, connectivityOf(mesh), name);
+  std::string doubts = doubtsAbout(mesh, connectivityOf(mesh), file.string());
   if (!doubts.empty()) scene.warnings.push_back(std::move(doubts));
   dropUnused(mesh);
   const double scale = table.positive("scale", 1.0);

@@ -84,6 +84,19 @@ double largestSwing(const ModelSystem& system, const std::string& id, const RunO
   return swing;
 }
 
+/// Below this share of the scale a loss is not worth a line.
+constexpr double toldLoss = 1e-4;
+
+std::optional<StabilityFunctionLoss> linearLoss(const ModelSystem& system, const std::string& id,
+                                                const RunOptions& options) {
+  const std::unique_ptr<Integrator> method = makeMethod(id);
+  const MethodInfo info = method->info();
+  if (!info.implicit || !options.fixedStep || !system.rods().empty()) return std::nullopt;
+  const double steps = options.duration / options.h;
+  const auto loss = stabilityFunctionLoss(system, *method, system.initialState(), options.h, steps);
+  return loss.factor < 1.0 - rounding ? std::optional(loss) : std::nullopt;
+}
+
 }  // namespace
 
 EnergyFate energyFate(const ModelSystem& system) {
@@ -116,6 +129,16 @@ std::string energyFailure(const EnergyBalance& balance) {
       balance.highest, balance.scale > 0.0 ? balance.highest / balance.scale : 0.0, balance.scale);
 }
 
+std::string energyLoss(const EnergyBalance& balance) {
+  if (!balance.linearLoss) return "";
+  const StabilityFunctionLoss& loss = *balance.linearLoss;
+  return fmt::format(
+      "{:.3g} J by the method{}, {:.2g} % of the scene's {:.3g} J; its stability function takes {:.2g} % of the modes "
+      "that hold energy at the start, and leaves {:.2g} a step of the fastest (h omega = {:.3g})",
+      -balance.end, balance.fate == EnergyFate::Kept ? "" : " and the scene's damping",
+      -100.0 * balance.end / balance.scale, balance.scale, 100.0 * loss.share, loss.factor, loss.fastest);
+}
+
 EnergyBalance energyBalance(const ModelSystem& system, const std::string& method, const RunOptions& options,
                             const RunResult& result) {
   const std::vector<double>& E = result.trajectory.track("total energy");
@@ -131,6 +154,9 @@ EnergyBalance energyBalance(const ModelSystem& system, const std::string& method
   }
   if (balance.fate != EnergyFate::Open && balance.highest > mostGain * balance.scale) {
     balance.allowed = (largestSwing(system, method, options) - 1.0) * balance.scale;
+  }
+  if (balance.fate != EnergyFate::Open && -balance.end > toldLoss * balance.scale) {
+    balance.linearLoss = linearLoss(system, method, options);
   }
   return balance;
 }

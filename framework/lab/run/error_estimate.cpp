@@ -1,5 +1,6 @@
 #include "lab/run/error_estimate.h"
 
+#include "base/text/count.h"
 #include "engine/control/run_checks.h"
 #include "engine/control/step_planner.h"
 #include "engine/integrators/catalogue.h"
@@ -31,6 +32,11 @@ constexpr double surelyRounding = 1e-10;
 /// Steps times unknowns of a finer run that anybody waits for: where the order is not seen by then, and only so much is
 /// to be done, the steps are halved again.
 constexpr double quicklyDone = 1e6;
+
+/// A finer run may cost so many times the first, and a few evaluations that nobody notices besides: half the step costs
+/// twice, an eighth eight times, a thousandth of a tolerance 32 times with order 2. An explicit method that has to
+/// follow a contact at a tolerance that is finer than its rounding would go on for ever.
+constexpr double mostTimes = 40.0, quickEvaluations = 20'000.0;
 
 /// The larger of both parts of the motion: by it the approach of the runs is judged. What rounds by `floor` [m] is not
 /// told from 0.
@@ -68,6 +74,9 @@ class Refinement {
     options.outputInterval = 0.0;
     options.sampleTimes = times_;
     options.label = label_;
+    const double first = static_cast<double>(run_.result.work.forceEvaluations);
+    most_ = quickEvaluations + std::max(mostTimes, 2.0 * refine) * first;
+    options.mostForceEvaluations = static_cast<long long>(most_);
     if (options.fixedStep) {
       options.h /= refine;
     } else {
@@ -77,6 +86,7 @@ class Refinement {
     }
     RunResult result = simulate(*run_.system, *method_, run_.system->initialState(), options);
     wallTime_ += result.wallTime;
+    gaveUp_ = result.failed() && result.work.forceEvaluations >= options.mostForceEvaluations;
     return result;
   }
 
@@ -89,6 +99,13 @@ class Refinement {
     return differenceOf(scene_, *run_.system, a.trajectory, all, b.trajectory);
   }
   double wallTime() const { return wallTime_; }
+  /// Why the last run has no result. \param which  "finer"
+  std::string failure(const char* which) const {
+    if (!gaveUp_) return fmt::format("the {} run did not reach its end", which);
+    const long long first = run_.result.work.forceEvaluations;
+    return fmt::format("the {} run would take more than {} force evaluations, and the first took {}", which,
+                       grouped(std::llround(most_)), grouped(first));
+  }
 
  private:
   const Scene& scene_;
@@ -98,6 +115,8 @@ class Refinement {
   std::vector<std::size_t> rows_;
   std::vector<double> times_;
   double wallTime_ = 0.0;
+  double most_ = 0.0;  // force evaluations of the last run
+  bool gaveUp_ = false;
 };
 
 /// The largest coordinate of a run [m].
@@ -218,7 +237,7 @@ class Estimator {
 
   ErrorEstimate estimate() {
     RunResult finer = runs_.at(2.0);
-    if (finer.failed()) return failure("the finer run did not reach its end");
+    if (finer.failed()) return failure(runs_.failure("finer"));
     const Sizes difference = runs_.differenceFromFirst(finer);
     const Scale scale = scaleOf(scene_, run_, finer);
     const double change = scale.errorOf(difference);
@@ -267,7 +286,7 @@ class Estimator {
     Approach approach{change, 0.0, change, expected};
     for (int n = 2; n <= most; ++n) {
       RunResult finest = runs_.at(std::pow(2.0, n));
-      if (finest.failed()) return failure("the finest run did not reach its end");
+      if (finest.failed()) return failure(runs_.failure("finest"));
       const Scale scale = scaleOf(scene_, run_, finest);
       const Sizes difference = runs_.differenceFromFirst(finest);
       const double last = scale.errorOf(runs_.difference(before, finest));

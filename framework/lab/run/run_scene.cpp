@@ -50,7 +50,7 @@ std::string timeLine(const SceneRun& run) {
   const double wall = run.result.wallTime;
   std::string text = fmt::format("{:.6g} s simulated in {:.3g} s", t, wall);
   if (wall > 0.0) text += fmt::format(", {:.3g} times real time", t / wall);
-  if (run.result.checkTime > 0.0) text += fmt::format("; {:.2g} s before it to look at the step", run.result.checkTime);
+  if (run.result.checkTime > 0.0) text += fmt::format("; {:.2g} s beside it to look at the step", run.result.checkTime);
   return text;
 }
 
@@ -247,6 +247,7 @@ std::string summaryOf(const Scene& scene, const SceneRun& run) {
   text += line("error", errorLine(run));
   if (run.error && run.error->failure.empty()) text += outputErrorLines(scene, *run.error);
   text += line("energy", energyLine(run.energy));
+  if (const std::string loss = energyLoss(run.energy); !loss.empty()) text += line("loss", loss);
   text += line("work", workLine(result.work));
   for (std::size_t i = 0; i < std::min(result.warnings.size(), shownWarnings); ++i) {
     text += line("warning", result.warnings[i]);

@@ -58,7 +58,8 @@ TEST(ShellOfAMesh, TellsWhatIsPerhapsNotMeantAndHasNoNodeThatNothingHolds) {
   EXPECT_EQ(scene.model.nodes.size(), 6u);
   EXPECT_EQ(scene.model.springs.size(), 6u);
   EXPECT_THAT(scene.warnings,
-              ElementsAre("mesh 'two.obj': 1 face without three different corners is left out, 1 vertex of no face is "
+              ElementsAre("mesh '" + (folder.path() / "two.obj").string() +
+                          "': 1 face without three different corners is left out, 1 vertex of no face is "
                           "no node, 2 pieces that nothing joins, 6 vertices at 4 places; weld = true makes one node of "
                           "those at the same place"));
 }

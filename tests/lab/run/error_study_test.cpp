@@ -100,17 +100,16 @@ struct Study {
       ++chaotic;
       return;
     }
-    // Below rounding no factor can be told: what is said has to be small. Else the truth has to be known to a tenth,
-    // and a factor of two is counted from the ends of what it may be.
+    // Below rounding no factor can be told: what is said has to be small. Else the truth has to be known to 1 %.
     const bool atRounding = t.known && t.truth + t.doubt < 1e-11;
-    if (!atRounding && (!t.known || t.truth < 10.0 * t.doubt)) {
+    if (!atRounding && (!t.known || t.truth < 100.0 * t.doubt)) {
       ++doubtful;
       say(seed, scene, fmt::format("no sure reference: {:.3g} off, known to {:.3g}", t.truth, t.doubt));
       return;
     }
     ++smooth;
-    const double least = atRounding ? 0.0 : 0.5 * (t.truth - t.doubt);
-    const double most = atRounding ? 1e-9 : 2.0 * (t.truth + t.doubt);
+    const double least = atRounding ? 0.0 : 0.5 * t.truth;
+    const double most = atRounding ? 1e-9 : 2.0 * t.truth;
     const bool wrong = t.failure.empty() && !(t.reported >= least && t.reported <= most);
     silent += t.failure.empty() ? 0 : 1;
     off += wrong ? 1 : 0;
@@ -134,9 +133,22 @@ TEST(ErrorStudy, TellsTheTruthWithinAFactorOfTwo) {
   study.run(first != nullptr ? std::strtoull(first, nullptr, 10) : 1, count != nullptr ? std::atoi(count) : 10);
   EXPECT_EQ(study.off, 0);
   EXPECT_LE(study.silent, 1 + study.smooth / 10);
-  EXPECT_LE(study.doubtful, 1 + study.smooth * 3 / 100);
+  EXPECT_LE(study.doubtful, 1 + study.smooth * 5 / 100);
   fmt::print("{} told, {} silent, {} off; left out: {} failed, {} chaotic, {} without a sure reference\n",
              study.smooth - study.silent, study.silent, study.off, study.failed, study.chaotic, study.doubtful);
+}
+
+TEST(ErrorStudy, TellsTheTruthOfRodsThatMayTouch) {
+  Study study;
+  int found = 0;
+  for (std::uint64_t seed = 1; found < 4; ++seed) {
+    const Model model = randomScene(seed).model;
+    if (model.obstacles.empty() || std::ranges::none_of(model.springs, &ModelSpring::rod)) continue;
+    ++found;
+    study.run(seed, 1);
+  }
+  EXPECT_EQ(study.off, 0);
+  EXPECT_GE(study.smooth, 2);
 }
 
 // Kinds that were off once. 41: rods whose steps fail and go on in pieces, outputs a rounding apart. 1339: the motion

@@ -181,6 +181,15 @@ Model randomModel(Dice& dice) {
     model.obstacles.push_back(randomObstacle(dice, model));
     model.gravity[heightOf(model)] = -9.81;
   }
+  // Contacts of rods are smooth and keep energy: RATTLE takes no force that depends on the velocity (it would have to
+  // solve for the velocity and the rods' forces at once), so neither dampers nor friction nor drag are possible with
+  // it.
+  if (rods && dice.chance(0.3)) {
+    Obstacle obstacle = randomObstacle(dice, model);
+    obstacle.material.d = obstacle.material.mu = obstacle.material.dTangential = 0.0;
+    model.obstacles.push_back(obstacle);
+    model.gravity[heightOf(model)] = -9.81;
+  }
   if (!rods && dice.chance(0.2)) {
     for (ModelNode& node : model.nodes) node.drag = dice.uniform(0.0, 0.3);
   }

@@ -52,7 +52,9 @@ Scene randomScene(std::uint64_t seed) {
   for (const Mode& mode : extremeModes(LinearisedSystem(*system, state))) fastest = std::max(fastest, mode.rate());
   double limit = 2.0 / fastest;
   const double own = stability(*system, *makeMethod(scene.method), state).largestStep;
-  if (own > 0.0) limit = std::min(limit, own);
+  // Explicit Euler is stable on a mode that is hardly damped up to a step that nobody waits for: there as without
+  // limit.
+  if (own > 1e-3 * limit) limit = std::min(limit, own);
   if (methodInfo(scene.method).adaptive) scene.tolerance = dice.logarithmic(1e-9, 1e-2);
   scene.step = limit * dice.logarithmic(0.01, 1.0);
   scene.duration = 2.0 * std::numbers::pi / fastest * dice.logarithmic(2.0, 20.0);

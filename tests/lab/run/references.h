@@ -9,7 +9,7 @@ namespace muelle::lab {
 
 /// The motion of a scene from `start`, at `times` and at the start, far finer than any run of a study: by dop853 at a
 /// tolerance of 1e-13; with rods, which it does not hold, by rattle at four steps, each half of the one before, of
-/// 1/32 of the scene's and less, extrapolated to 0 (its error is even in the step).
+/// 1/32 of the scene's and less, extrapolated to 0 (its error is even in the step); with contacts the finest as it is.
 Trajectory finestRun(const engine::Scene& scene, const engine::ModelSystem& system, const State& start,
                      const std::vector<double>& times);
 
