@@ -43,7 +43,9 @@ void Integrator::updateEnds(const DynamicalSystem& system, const State& from, co
   ends_.accelerationFrom.resize(from.x.size());
   ends_.accelerationTo.resize(from.x.size());
   system.acceleration(from.t, from.x, from.v, from.z, ends_.accelerationFrom);
-  system.acceleration(to.t, to.x, to.v, from.z, ends_.accelerationTo);
+  State end = to;
+  system.place(end.t, from.z, end.x, end.v);  // moved nodes too may be where the next step begins
+  system.acceleration(end.t, end.x, end.v, from.z, ends_.accelerationTo);
   work_.forceEvaluations += 2;
 }
 

@@ -186,7 +186,7 @@ TEST(H20FrictionIncline, SticksBelowTheThreshold) {
 TEST(H20FrictionIncline, SlidesAboveTheThreshold) {
   for (const double degrees : {26.6, 30.0}) {
     const std::string name = degrees > 29.0 ? "(30)" : "(26.6)";
-    const Finished end = run(incline(degrees, 0.0), "velocity_verlet", fixedStep(2e-4, 10.0));
+    const Finished end = run(incline(degrees, 0.0), "velocity_verlet", fixedStep(1e-4, 10.0));
     ASSERT_FALSE(end.result.failed()) << end.result.trajectory.stop.message;
     // A constant acceleration, which Verlet takes exactly: the rounding of 50,000 steps.
     EXPECT_LT(relative(slidDistance(end, degrees), reference("H20", "slide" + name)), 1e-12);
@@ -202,7 +202,7 @@ TEST(H20FrictionIncline, ThresholdIsTheArcTangentOfMu) {
   double sticks = 26.5, slides = 26.6;
   while (slides - sticks > 1e-4) {
     const double middle = 0.5 * (sticks + slides);
-    const Finished end = run(incline(middle, 0.0), "velocity_verlet", fixedStep(2e-4, 1.0));
+    const Finished end = run(incline(middle, 0.0), "velocity_verlet", fixedStep(1e-4, 1.0));
     (slidDistance(end, middle) > 1e-7 ? slides : sticks) = middle;
   }
   EXPECT_NEAR(slides, reference("H20", "threshold_degrees"), 2e-4);
@@ -210,11 +210,11 @@ TEST(H20FrictionIncline, ThresholdIsTheArcTangentOfMu) {
 }
 
 TEST(H20FrictionIncline, StopsOnTheFlatWithoutReversal) {
-  engine::RunOptions options = fixedStep(2e-4, 2.0);
+  engine::RunOptions options = fixedStep(1e-4, 2.0);
   options.keepStates = true;
   const Finished end = run(incline(0.0, 3.0), "velocity_verlet", options);
   ASSERT_FALSE(end.result.failed()) << end.result.trajectory.stop.message;
-  // Where it stops, within a step, is an event: the distance is exact but for the rounding of 3,000 steps.
+  // Where it stops, within a step, is an event: the distance is exact but for the rounding of 6,000 steps.
   EXPECT_LT(relative(slidDistance(end, 0.0), reference("H20", "flat.distance")), 1e-12);
   double furthest = 0.0;
   for (const auto& x : end.result.trajectory.x) furthest = std::max(furthest, x[0]);

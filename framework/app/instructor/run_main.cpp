@@ -67,7 +67,8 @@ void writeResults(const Command& command, const Scene& scene, const SceneRun& ru
 /// Where it takes long, before it begins.
 void sayWhatIsForeseen(const Scene& scene) {
   const Foresight foresight = foresee(scene);
-  const double room = roomForOutputs(foresight, availableMemory());
+  const double available = availableMemory(), room = roomForOutputs(foresight, available);
+  requireMemory(scene, foresight, available);
   if (foresight.isLong(room)) fmt::print(stderr, "{}: {}\n", scene.name, foreseenText(foresight, room));
 }
 

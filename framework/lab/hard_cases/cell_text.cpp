@@ -36,6 +36,7 @@ std::string shortName(const std::string& method) {
                                                            {"yoshida4", "Y4"},
                                                            {"kahan_li_8", "KL8"},
                                                            {"rkc2", "RKC2"},
+                                                           {"takahashi_imada", "TI"},
                                                            {"backward_euler", "BE"},
                                                            {"bdf2", "BDF2"},
                                                            {"tr_bdf2", "TRB2"},

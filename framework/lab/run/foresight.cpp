@@ -124,7 +124,11 @@ Foresight foresee(const Scene& scene) {
   foresight.output = 2.0 * number * coordinates + number * static_cast<double>(1 + scene.outputs.size());
   foresight.model = modelBytes(model);
   foresight.state = number * coordinates * (6.0 + info.stages);  // x and v before, after and as told; a force a stage
-  if (info.implicit) foresight.matrices = matrixBytes(model);
+  if (info.implicit) {
+    constexpr double vectors = 24.0;  // of Newton's two points, of the stage, of the unknowns without what is held
+    foresight.state += number * vectors * foresight.unknowns;
+    foresight.matrices = matrixBytes(model);
+  }
   const bool hasLimit = info.stability == Stability::Limited || info.stability == Stability::Never;
   if (hasLimit) foresight.look = lookBytes(model, foresight.unknowns);
   return foresight;

@@ -40,8 +40,8 @@ TEST(Foresight, CountsStepsOutputsAndWhatAnOutputTakes) {
   EXPECT_EQ(every.steps, 10000.0);
   EXPECT_EQ(every.outputs, 10001.0);
   EXPECT_EQ(every.unknowns, 30000.0);
-  // 10^4 nodes, 3 coordinates, positions and velocities, 8 bytes each; the time.
-  EXPECT_EQ(every.output, 480000.0 + 8.0);
+  // 10^4 nodes, 3 coordinates padded to 4, positions and velocities, 8 bytes each; the time.
+  EXPECT_EQ(every.output, 640000.0 + 8.0);
   EXPECT_EQ(every.matrices, 0.0);
   EXPECT_EQ(foresee(cloth("velocity_verlet", "output_interval = 0.1\n")).outputs, 101.0);
   EXPECT_FALSE(foresee(cloth("dop853", "tolerance = 1e-6\n")).steps);
@@ -50,10 +50,10 @@ TEST(Foresight, CountsStepsOutputsAndWhatAnOutputTakes) {
 }
 
 TEST(Foresight, RefusesOutputsBeyondTheMemoryThatIsThere) {
-  // 1000 outputs of 480 kB, the fewest that thinning leaves of 10001, are 458 MiB.
+  // 1000 outputs of 640 kB, the fewest that thinning leaves of 10001, are 610 MiB.
   EXPECT_THAT(refusalOf(cloth("velocity_verlet", ""), 400.0 * MiB),
-              AllOf(HasSubstr("needs at least 4"), HasSubstr("400 MiB are there"), HasSubstr("10,000 nodes"),
-                    HasSubstr("458 MiB for 1,000 outputs (of 10,001 outputs; fewer are never kept) in 10,000 steps"),
+              AllOf(HasSubstr("needs at least 6"), HasSubstr("400 MiB are there"), HasSubstr("10,000 nodes"),
+                    HasSubstr("610 MiB for 1,000 outputs (of 10,001 outputs; fewer are never kept) in 10,000 steps"),
                     HasSubstr("give a longer output_interval")));
 }
 

@@ -100,9 +100,11 @@ Trajectory byOdeint(const Scene& scene, const ModelSystem& system, const State& 
   Trajectory trajectory;
   trajectory.tracks.resize(probesOf(scene, system).size());
   const auto record = [&](const Numbers& at, double t) {
+    Numbers x(at.begin(), at.begin() + n), v(at.begin() + n, at.end());
+    system.place(t, z, x, v);
     trajectory.t.push_back(t);
-    trajectory.x.emplace_back(at.begin(), at.begin() + n);
-    trajectory.v.emplace_back(at.begin() + n, at.end());
+    trajectory.x.push_back(std::move(x));
+    trajectory.v.push_back(std::move(v));
     for (Track& track : trajectory.tracks) track.values.push_back(0.0);
   };
   std::vector<double> all = {0.0};

@@ -163,9 +163,10 @@ StepResult StageIntegrator::stepIncrement(const DynamicalSystem& system, const S
 
 void StageIntegrator::ensureEnd(const DynamicalSystem& system, const State& from, const State& to) {
   if (endKnown_) return;
-  // With the internal variables of the step: those of `to` may already be the next one's.
-  system.acceleration(to.t, to.x, to.v, from.z, acceleration(firstSameAsLast_ ? stages() - 1 : stages()));
-  ++work_.forceEvaluations;
+  // With the internal variables of the step: those of `to`, and with them its moved nodes, may be the next one's.
+  std::copy(to.x.begin(), to.x.end(), x_);
+  std::copy(to.v.begin(), to.v.end(), v_);
+  evaluate(system, to.t, {x_, size_}, {v_, size_}, from.z, firstSameAsLast_ ? stages() - 1 : stages());
   endKnown_ = true;
 }
 
