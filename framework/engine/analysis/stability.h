@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/analysis/look_budget.h"
-#include "engine/analysis/spectrum_bound.h"
 #include "engine/analysis/spectrum.h"
+#include "engine/analysis/spectrum_bound.h"
 #include "engine/integrator.h"
 
 #include <limits>
