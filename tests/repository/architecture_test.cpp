@@ -112,6 +112,10 @@ TEST(Architecture, TestsOfExercisesSeeTheTestingPartsAlone) {
   expectOnlyBelow("tests/hidden", "grader", "grader/testing/");
 }
 
+TEST(Architecture, KernelsKnowNothingElseOfTheEngine) {
+  expectOnlyBelow("framework/engine/kernels", "engine", "engine/kernels/");
+}
+
 TEST(Architecture, TheStudentsCommandNeedsWhatIsHandedOut) {
   // What the build leaves out of a student's tree stands in a folder of its own.
   for (const Include& include : includesBelow(source / "framework/app")) {

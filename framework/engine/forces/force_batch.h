@@ -68,7 +68,7 @@ class ForceBatch {
   virtual std::string leftOut() const { return {}; }
 
   /// Where nodes stand in the arrays. Before anything else.
-  void setLayout(const Layout& layout) { layout_ = layout; }
+  virtual void setLayout(const Layout& layout) { layout_ = layout; }
 
   /// Number of internal variables; they start at zOffset.
   virtual int internalSize() const { return 0; }

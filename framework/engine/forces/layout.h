@@ -18,6 +18,10 @@ struct Layout {
     return {width, 1, width * nodes};
   }
 
+  /// \param plane lanes between components, at least as many as there are places
+  static Layout planar(int dimension, int plane) { return {1, plane, dimension * plane}; }
+
+  bool isPlanar() const { return component != 1; }
   int lane(int i, int c) const { return i * node + c * component; }
 
   /// The vector of node i.

@@ -28,6 +28,19 @@ Spring<D>::Spring(std::vector<SpringElement> springs, SpringKind kind) : springs
 }
 
 template <int D>
+void Spring<D>::setLayout(const Layout& layout) {
+  constexpr std::size_t few = 8;  // springs, below which there is nothing to group
+  ForceBatch::setLayout(layout);
+  groups_.reset();
+  const bool byDistance = std::ranges::all_of(springs_, [](const SpringElement& s) { return s.side == 0.0; });
+  if (kind_ != SpringKind::Plain || !byDistance || springs_.size() < few || layout.isPlanar()) return;
+  std::vector<kernels::SpringData> data;
+  data.reserve(springs_.size());
+  for (const SpringElement& s : springs_) data.push_back({s.a, s.b, s.k, s.L0, s.dRelative, s.dProjected});
+  groups_.emplace(D, layout.storage / layout.node, data);
+}
+
+template <int D>
 auto Spring<D>::difference(const SpringElement& s, const double* values) const -> Vector {
   return layout_.at<D>(values, s.a) - layout_.at<D>(values, s.b);
 }
@@ -98,6 +111,7 @@ auto Spring<D>::dampingForce(const SpringElement& s, const Vector& d, const Vect
 
 template <int D>
 void Spring<D>::addForce(const Configuration& at, double* f) const {
+  if (groups_) return groups_->addForce(at.x, at.v, f);
   if (!damped_) return addConservativeForce(at, f);
   for (std::size_t i = 0; i < springs_.size(); ++i) {
     const SpringElement& s = springs_[i];
@@ -111,6 +125,7 @@ void Spring<D>::addForce(const Configuration& at, double* f) const {
 
 template <int D>
 void Spring<D>::addConservativeForce(const Configuration& at, double* f) const {
+  if (groups_ && !damped_) return groups_->addForce(at.x, at.v, f);
   for (std::size_t i = 0; i < springs_.size(); ++i) {
     const SpringElement& s = springs_[i];
     const Vector F = elasticForce(i, difference(s, at.x), at.z);

@@ -1,7 +1,9 @@
 #pragma once
 #include "engine/forces/force_batch.h"
+#include "engine/kernels/spring_groups.h"
 
 #include <array>
+#include <optional>
 
 namespace muelle::engine {
 
@@ -40,12 +42,15 @@ enum class SpringKind {
 /// Signed (1D, SpringElement::side): the length is side * (xa - xb) throughout, negative beyond the other end; the
 /// force is linear, and nothing happens at zero length.
 ///
+/// The force of many plain springs by distance is left to the kernels (engine/kernels), all else is here.
+///
 /// Unilateral: nothing of the spring acts (damping neither) when L > L0; live by the length, frozen by the mode in z.
 template <int D>
 class Spring final : public ForceBatch {
  public:
   Spring(std::vector<SpringElement> springs, SpringKind kind);
 
+  void setLayout(const Layout& layout) override;
   bool isConservative() const override { return !damped_; }
   bool usesVelocity() const override { return damped_; }
   void addForce(const Configuration& at, double* f) const override;
@@ -91,6 +96,7 @@ class Spring final : public ForceBatch {
   Block stiffness(std::size_t i, const Vector& d, const double* z, Form form) const;
 
   std::vector<SpringElement> springs_;
+  std::optional<kernels::SpringGroups> groups_;  ///< of the same springs, where a kernel adds their force
   std::vector<std::array<BlockSlot, 4>> slots_;  ///< aa, bb, ab, ba
   SpringKind kind_;
   bool damped_ = false;

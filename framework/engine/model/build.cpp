@@ -8,6 +8,7 @@
 #include "engine/forces/property.h"
 #include "engine/forces/spring.h"
 #include "engine/forces/volume.h"
+#include "engine/kernels/grid_numbering.h"
 #include "engine/model/axes.h"
 #include "engine/model/damping.h"
 #include "engine/model/mass_spring_system.h"
@@ -41,26 +42,59 @@ std::vector<std::pair<int, int>> couplings(const Model& model) {
   return edges;
 }
 
-Numbering number(const Model& model) {
+/// Whether the spring's force is that of its distance, always: such springs alone make a grid. (Without a rest length
+/// nothing happens at zero length.)
+bool isPlain(const Model& model, const ModelSpring& s) {
+  const bool crosses = s.L0 > 0.0 && (model.dimension == 1 || model.springsCross);
+  return !s.rod && !s.isSigned && !s.unilateral && !crosses;
+}
+
+/// The grid that the springs are on; none where they are few, or not all plain.
+kernels::GridNumbering gridOf(const Model& model, const std::vector<int>& axes) {
+  constexpr std::size_t few = 64;  // springs, below which a grid gains nothing
+  if (!model.renumber || model.springs.size() < few) return {};
+  std::vector<kernels::SpringData> springs;
+  for (const ModelSpring& s : model.springs) {
+    if (!isPlain(model, s)) return {};
+    springs.push_back({s.a, s.b, s.k, s.L0, s.dRelative, projectedDamping(model, s)});
+  }
+  std::vector<double> x;
+  for (const ModelNode& node : model.nodes) {
+    for (const int axis : axes) x.push_back(node.x[axis]);
+  }
+  return kernels::findGrid(static_cast<int>(axes.size()), x, springs);
+}
+
+/// By the places of a grid, or with the free nodes first in the order of Cuthill and McKee.
+Numbering number(const Model& model, const kernels::GridNumbering& grid) {
   const int count = static_cast<int>(model.nodes.size());
-  std::vector<int> order(model.nodes.size());
-  std::iota(order.begin(), order.end(), 0);
-  if (model.renumber) order = reverseCuthillMcKee(count, couplings(model));
   const auto free = [&](int i) { return isFree(model.nodes[static_cast<std::size_t>(i)]); };
-  std::ranges::stable_partition(order, free);
   Numbering numbering;
   numbering.axes = axesOf(model);
-  numbering.layout = Layout::padded(static_cast<int>(numbering.axes.size()), count);
-  numbering.built.resize(order.size());
-  numbering.rank.assign(order.size(), -1);
-  for (int i = 0; i < count; ++i) {
-    const int user = order[static_cast<std::size_t>(i)];
-    numbering.built[static_cast<std::size_t>(user)] = i;
-    if (!free(user)) continue;
-    numbering.rank[static_cast<std::size_t>(i)] = static_cast<int>(numbering.freeNodes.size());
-    numbering.freeNodes.push_back(i);
+  const int dimension = static_cast<int>(numbering.axes.size());
+  if (grid.order != kernels::GridOrder::None) {
+    numbering.layout = Layout::planar(dimension, static_cast<int>(kernels::planeFor(grid.places)));
+    numbering.built = grid.place;
+    numbering.user.assign(grid.places, -1);
+  } else {
+    std::vector<int> order(model.nodes.size());
+    std::iota(order.begin(), order.end(), 0);
+    if (model.renumber) order = reverseCuthillMcKee(count, couplings(model));
+    std::ranges::stable_partition(order, free);
+    numbering.layout = Layout::padded(dimension, count);
+    numbering.built.resize(order.size());
+    for (int i = 0; i < count; ++i) numbering.built[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])] = i;
+    numbering.user.assign(order.size(), -1);
   }
-  numbering.user = std::move(order);
+  for (int i = 0; i < count; ++i) {
+    numbering.user[static_cast<std::size_t>(numbering.built[static_cast<std::size_t>(i)])] = i;
+  }
+  numbering.rank.assign(numbering.user.size(), -1);
+  for (std::size_t place = 0; place < numbering.user.size(); ++place) {
+    if (numbering.user[place] < 0 || !free(numbering.user[place])) continue;
+    numbering.rank[place] = static_cast<int>(numbering.freeNodes.size());
+    numbering.freeNodes.push_back(static_cast<int>(place));
+  }
   return numbering;
 }
 
@@ -113,9 +147,7 @@ void addSprings(Builder& builder) {
   for (std::size_t i = 0; i < builder.model.springs.size(); ++i) {
     const ModelSpring& s = builder.model.springs[i];
     if (s.rod || !builder.anyFree({s.a, s.b})) continue;
-    // Without a rest length nothing happens at zero length.
-    const bool crosses = s.L0 > 0.0 && !s.isSigned && (D == 1 || builder.model.springsCross);
-    auto& kind = s.unilateral ? unilateral : crosses ? crossing : plain;
+    auto& kind = s.unilateral ? unilateral : isPlain(builder.model, s) || s.isSigned ? plain : crossing;
     kind.push_back({builder.built(s.a), builder.built(s.b), s.k, s.L0, s.dRelative, projectedDamping(builder.model, s),
                     static_cast<int>(i), s.isSigned ? sideOf(builder.model, s) : 0.0});
   }
@@ -269,12 +301,34 @@ std::unique_ptr<NodeDrag> makeDrag(const Builder& builder) {
   return drag;
 }
 
+/// The springs of a grid with gravity and drag; none where there is no grid.
+std::optional<GridForce> makeGridForce(const Builder& builder, kernels::GridNumbering grid) {
+  if (grid.order == kernels::GridOrder::None) return std::nullopt;
+  const Layout& layout = builder.numbering.layout;
+  GridNodes nodes;
+  nodes.plane = static_cast<std::size_t>(layout.component);
+  for (int c = 0; c < builder.dimension(); ++c) {
+    nodes.gravity[c] = builder.model.gravity[builder.numbering.axes[static_cast<std::size_t>(c)]];
+  }
+  const bool anyDrag = std::ranges::any_of(builder.model.nodes, [](const ModelNode& node) { return node.drag > 0.0; });
+  if (anyDrag) {
+    nodes.drag.assign(nodes.plane, 0.0);
+    for (const int i : builder.numbering.freeNodes) nodes.drag[static_cast<std::size_t>(i)] = builder.node(i).drag;
+  }
+  return GridForce(
+      kernels::GridSprings(builder.dimension(), grid.places, std::move(grid.search.runs), std::move(grid.search.loose)),
+      std::move(nodes));
+}
+
 template <int D>
 std::unique_ptr<ModelSystem> buildIn(const Model& model) {
-  Numbering numbering = number(model);
+  kernels::GridNumbering grid = gridOf(model, axesOf(model));
+  Numbering numbering = number(model, grid);
   Builder builder{model, numbering};
   addGravity(builder);
   addSprings<D>(builder);
+  const std::size_t onGrid = builder.batches.size();
+  std::optional<GridForce> gridForce = makeGridForce(builder, std::move(grid));
   if constexpr (D > 1) addPlaneElements<D>(builder);
   if constexpr (D == 3) addSpaceElements(builder);
   addProperties(builder);
@@ -283,7 +337,8 @@ std::unique_ptr<ModelSystem> buildIn(const Model& model) {
   std::unique_ptr<NodeDrag> drag = makeDrag(builder);
   auto batches = std::move(builder.batches);
   for (const auto& batch : batches) batch->setLayout(numbering.layout);
-  return std::make_unique<MassSpringSystem>(model, std::move(numbering), std::move(batches), std::move(drag));
+  return std::make_unique<MassSpringSystem>(model, std::move(numbering), std::move(batches), std::move(drag),
+                                            std::move(gridForce), onGrid);
 }
 
 }  // namespace

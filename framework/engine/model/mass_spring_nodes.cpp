@@ -23,7 +23,7 @@ void MassSpringSystem::place(double t, In z, Out x, Out v) const {
 void MassSpringSystem::everyNode(const State& state, std::vector<double>& x, std::vector<double>& v) const {
   x.clear();
   v.clear();
-  for (int node = 0; node < nodeCount(); ++node) {
+  for (const int node : numbering_.built) {
     for (int c = 0; c < dimension_; ++c) {
       x.push_back(state.x[laneOf(node, c)]);
       v.push_back(state.v[laneOf(node, c)]);
@@ -35,7 +35,7 @@ State MassSpringSystem::initialState() const {
   State state;
   state.x.assign(mass_.size(), 0.0);
   state.v.assign(mass_.size(), 0.0);
-  for (int node = 0; node < nodeCount(); ++node) {
+  for (const int node : numbering_.built) {
     for (int c = 0; c < dimension_; ++c) {
       const int axis = numbering_.axes[static_cast<std::size_t>(c)];
       state.x[laneOf(node, c)] = nodeOf(node).x[axis];

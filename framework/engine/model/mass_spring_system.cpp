@@ -8,14 +8,16 @@
 namespace muelle::engine {
 
 MassSpringSystem::MassSpringSystem(Model model, Numbering numbering, std::vector<std::unique_ptr<ForceBatch>> batches,
-                                   std::unique_ptr<NodeDrag> drag)
+                                   std::unique_ptr<NodeDrag> drag, std::optional<GridForce> grid, std::size_t onGrid)
     : model_(std::move(model)),
       numbering_(std::move(numbering)),
       dimension_(static_cast<int>(numbering_.axes.size())),
       size_(dimension_ * static_cast<int>(numbering_.freeNodes.size())),
       motionSegments_(model_.motions),
       batches_(std::move(batches)),
-      drag_(std::move(drag)) {
+      drag_(std::move(drag)),
+      grid_(std::move(grid)),
+      onGrid_(onGrid) {
   layOut();
   rods_ = rodsOfModel();
   countBatches();
@@ -36,7 +38,7 @@ void MassSpringSystem::layOut() {
     }
   }
   if (isIdentity) lanes_.clear();
-  for (int node = 0; node < nodeCount(); ++node) {
+  for (const int node : numbering_.built) {
     if (nodeOf(node).motion >= 0) moved_.push_back(node);
   }
 }
@@ -79,20 +81,26 @@ void MassSpringSystem::force(double t, In x, In v, In z, Out f) const {
   if (drag_) drag_->addForce(at, f.data());
 }
 
-void MassSpringSystem::overMass(Out a) const {
+/// Overwrites a with the accelerations, with or without the drag.
+void MassSpringSystem::accelerate(const Configuration& at, In x, In v, bool withDrag, Out a) const {
+  if (grid_) {
+    const bool others = onGrid_ < batches_.size();
+    if (others) std::fill(scratch_.begin(), scratch_.end(), 0.0);
+    for (std::size_t i = onGrid_; i < batches_.size(); ++i) batches_[i]->addForce(at, scratch_.data());
+    return grid_->accelerate(x, v, others ? scratch_.data() : nullptr, inverseMass_, withDrag, a);
+  }
+  std::fill(a.begin(), a.end(), 0.0);
+  for (const auto& batch : batches_) batch->addForce(at, a.data());
+  if (withDrag && drag_) drag_->addForce(at, a.data());
   for (std::size_t i = 0; i < a.size(); ++i) a[i] *= inverseMass_[i];
 }
 
 void MassSpringSystem::acceleration(double t, In x, In v, In z, Out a) const {
-  force(t, x, v, z, a);
-  overMass(a);
+  accelerate(configuration(t, x, v, z), x, v, true, a);
 }
 
 void MassSpringSystem::accelerationWithoutDrag(double t, In x, In v, In z, Out a) const {
-  const Configuration at = configuration(t, x, v, z);
-  std::fill(a.begin(), a.end(), 0.0);
-  for (const auto& batch : batches_) batch->addForce(at, a.data());
-  overMass(a);
+  accelerate(configuration(t, x, v, z), x, v, false, a);
 }
 
 double MassSpringSystem::shortestPeriod(double t) const {

@@ -1,6 +1,7 @@
 #pragma once
 #include "engine/forces/force_batch.h"
 #include "engine/forces/node_drag.h"
+#include "engine/model/grid_force.h"
 #include "engine/model/model_system.h"
 #include "engine/model/motion_segments.h"
 
@@ -9,10 +10,10 @@
 
 namespace muelle::engine {
 
-/// Which node is where.
+/// Which node is where. Built numbers are places: a grid may have some that hold no node.
 struct Numbering {
   std::vector<int> built;      ///< built number of each of the user's nodes
-  std::vector<int> user;       ///< the user's number of each built one
+  std::vector<int> user;       ///< the user's number of each built one; -1 where there is none
   std::vector<int> freeNodes;  ///< built numbers of the nodes that are neither pinned nor moved, ascending
   std::vector<int> rank;       ///< of each built node among the free ones; -1 where it is held
   std::vector<int> axes;       ///< the components of a Vec3 that the scene has, in order
@@ -31,8 +32,9 @@ class MassSpringSystem final : public ModelSystem,
                                private Switching {
  public:
   /// \param drag null when no node has any; not among `batches`
+  /// \param grid of the first `onGrid` batches and the drag together, where the springs are a grid
   MassSpringSystem(Model model, Numbering numbering, std::vector<std::unique_ptr<ForceBatch>> batches,
-                   std::unique_ptr<NodeDrag> drag);
+                   std::unique_ptr<NodeDrag> drag, std::optional<GridForce> grid, std::size_t onGrid);
 
   int size() const override { return size_; }
   int storage() const override { return numbering_.layout.storage; }
@@ -112,7 +114,7 @@ class MassSpringSystem final : public ModelSystem,
   void layOut();
   std::vector<Rod> rodsOfModel() const;
   void countBatches();
-  void overMass(Out a) const;
+  void accelerate(const Configuration& at, In x, In v, bool withDrag, Out a) const;
   int componentOf(int axis) const;
   void bind() const;
   void assembleLowRank(double cK, LowRank& lowRank) const;
@@ -133,6 +135,8 @@ class MassSpringSystem final : public ModelSystem,
   std::vector<int> moved_;  ///< built numbers of nodes with a motion
   std::vector<std::unique_ptr<ForceBatch>> batches_;
   std::unique_ptr<NodeDrag> drag_;
+  std::optional<GridForce> grid_;
+  std::size_t onGrid_;  ///< how many of the batches, from the first on, grid_ stands for
   std::vector<int> constraintStart_;
   std::vector<Rod> rods_;
   mutable std::vector<double> scratch_;
