@@ -27,16 +27,25 @@ struct Layout {
   /// The vector of node i.
   template <int D>
   Eigen::Matrix<double, D, 1> at(const double* values, int i) const {
-    Eigen::Matrix<double, D, 1> result;
     const double* first = values + static_cast<std::ptrdiff_t>(i) * node;
-    for (int c = 0; c < D; ++c) result[c] = first[c * component];
-    return result;
+    const std::ptrdiff_t next = component;
+    // Written out: the compiler unrolls no loop whose stride it does not know.
+    if constexpr (D == 1) {
+      return Eigen::Matrix<double, 1, 1>(first[0]);
+    } else if constexpr (D == 2) {
+      return {first[0], first[next]};
+    } else {
+      return {first[0], first[next], first[2 * next]};
+    }
   }
   /// Adds to the vector of node i.
   template <int D, class Vector>
   void add(double* values, int i, const Vector& addend) const {
     double* first = values + static_cast<std::ptrdiff_t>(i) * node;
-    for (int c = 0; c < D; ++c) first[c * component] += addend[c];
+    const std::ptrdiff_t next = component;
+    first[0] += addend[0];
+    if constexpr (D > 1) first[next] += addend[1];
+    if constexpr (D > 2) first[2 * next] += addend[2];
   }
 };
 
