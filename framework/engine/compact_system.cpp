@@ -57,45 +57,45 @@ void CompactSystem::expand(const State& compact, State& state) const {
 }
 
 /// Where all of the system is, in `whole`. Without velocities those of the last call stay.
-void CompactSystem::place(double t, In x, In v, In z, Whole& whole) const {
+void CompactSystem::fill(double t, In x, In v, In z, Whole& whole) const {
   scatter(x, whole.x);
   if (!v.empty()) scatter(v, whole.v);
   system_.place(t, z, whole.x, whole.v);
 }
 
 void CompactSystem::force(double t, In x, In v, In z, Out f) const {
-  place(t, x, v, z, first_);
+  fill(t, x, v, z, first_);
   system_.force(t, first_.x, first_.v, z, result_);
   gather(result_, f);
 }
 
 double CompactSystem::energy(double t, In x, In z) const {
-  place(t, x, {}, z, first_);
+  fill(t, x, {}, z, first_);
   return system_.potential()->energy(t, first_.x, z);
 }
 
 void CompactSystem::conservativeForce(double t, In x, In z, Out f) const {
-  place(t, x, {}, z, first_);
+  fill(t, x, {}, z, first_);
   system_.potential()->conservativeForce(t, first_.x, z, result_);
   gather(result_, f);
 }
 
 void CompactSystem::discreteGradientForce(double t, In xa, In xb, In z, Out f) const {
-  place(t, xa, {}, z, first_);
-  place(t, xb, {}, z, second_);
+  fill(t, xa, {}, z, first_);
+  fill(t, xb, {}, z, second_);
   system_.potential()->discreteGradientForce(t, first_.x, second_.x, z, result_);
   gather(result_, f);
 }
 
 void CompactSystem::accelerationWithoutDrag(double t, In x, In v, In z, Out a) const {
-  place(t, x, v, z, first_);
+  fill(t, x, v, z, first_);
   system_.drag()->accelerationWithoutDrag(t, first_.x, first_.v, z, result_);
   gather(result_, a);
 }
 
 void CompactSystem::assemble(double cM, double cD, double cK, double t, In x, In v, In z, Form form,
                              SystemMatrix& J) const {
-  place(t, x, v, z, first_);
+  fill(t, x, v, z, first_);
   system_.linearisation()->assemble(cM, cD, cK, t, first_.x, first_.v, z, form, J);
 }
 

@@ -48,7 +48,7 @@ class CompactSystem final : public DynamicalSystem, private Potential, private D
   struct Whole {
     std::vector<double> x, v;
   };
-  void place(double t, In x, In v, In z, Whole& whole) const;
+  void fill(double t, In x, In v, In z, Whole& whole) const;
 
   bool isComplete() const override { return system_.potential()->isComplete(); }
   double energy(double t, In x, In z) const override;

@@ -80,7 +80,7 @@ Numbering number(const Model& model, const kernels::GridNumbering& grid) {
     std::vector<int> order(model.nodes.size());
     std::iota(order.begin(), order.end(), 0);
     if (model.renumber) order = reverseCuthillMcKee(count, couplings(model));
-    std::ranges::stable_partition(order, free);
+    std::stable_partition(order.begin(), order.end(), free);
     numbering.layout = Layout::padded(dimension, count);
     numbering.built.resize(order.size());
     for (int i = 0; i < count; ++i) numbering.built[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])] = i;

@@ -66,13 +66,13 @@ struct DragFactors {
 /// Velocity Verlet with the drag exact and the damping at velocities of its own at both ends, as compositions take it
 /// and as the first step does; h may be negative.
 Block verlet(const Mode& m, Real h) {
-  const auto [decay, phi1, phi2] = DragFactors(h * m.drag);
+  const DragFactors f(h * m.drag);
   return matrixOf([=](Vector y) -> Vector {
     const Real a0 = -m.stiffness * y[0] - m.damping * y[1];
-    const Real x = y[0] + h * phi1 * y[1] + h * h * phi2 * a0;
-    const Real predicted = decay * y[1] + h * phi1 * a0;
+    const Real x = y[0] + h * f.phi1 * y[1] + h * h * f.phi2 * a0;
+    const Real predicted = f.decay * y[1] + h * f.phi1 * a0;
     const Real a1 = -m.stiffness * x - m.damping * predicted;
-    return {x, decay * y[1] + h * ((phi1 - phi2) * a0 + phi2 * a1)};
+    return {x, f.decay * y[1] + h * ((f.phi1 - f.phi2) * a0 + f.phi2 * a1)};
   });
 }
 

@@ -25,7 +25,7 @@ class StateMark {
   bool matches(const State& state) const {
     if (!set_) return false;
     bool same = t_ == state.t;
-    for (int i = 0; i < samples; ++i) same = same & (x_[i] == sample(state.x, i)) & (v_[i] == sample(state.v, i));
+    for (int i = 0; same && i < samples; ++i) same = x_[i] == sample(state.x, i) && v_[i] == sample(state.v, i);
     return same || isNear(state);
   }
 
