@@ -262,7 +262,7 @@ TEST(Property, HasNoSparseEntriesAndOneColumn) {
   const auto system = build(model);
   const State s = system->initialState();
   EXPECT_NEAR(system->totalEnergy(s), 50.10005, 1e-12);
-  std::vector<double> f(3 * n);
+  std::vector<double> f(s.x.size());
   system->force(0.0, s.x, s.v, s.z, f);
   EXPECT_NEAR(f[static_cast<std::size_t>(system->lane(5, 2))], 0.2002, 1e-15);
   SystemMatrix J;
