@@ -20,7 +20,14 @@ class LookBudget {
 
   bool covers(double cost) const { return cost <= left_; }
   void spend(double cost) { left_ -= cost; }
-  double left() const { return std::max(left_, 0.0); }
+  /// The largest dimension of a subspace, from what is wanted down to 4, whose cost(dimension) is covered; 0: none.
+  template <class Cost>
+  int affordable(int wanted, const Cost& cost) const {
+    constexpr int least = 4;
+    int dimension = wanted;
+    while (dimension >= least && !covers(cost(dimension))) --dimension;
+    return dimension >= least ? dimension : 0;
+  }
 
  private:
   double left_ = std::numeric_limits<double>::infinity();

@@ -19,22 +19,15 @@ double massProduct(const CompactSystem& system, const std::vector<double>& y) {
   return sum;
 }
 
-/// The dimension of two subspaces about a state; 0 where the budget has too little for any.
-int affordable(const LinearisedSystem& system, const LookBudget& budget) {
-  constexpr int wanted = 24, least = 4;
-  int dimension = wanted;
-  while (dimension >= least && !budget.covers(2.0 * modesOfCost(system, dimension))) --dimension;
-  return dimension >= least ? dimension : 0;
-}
-
 /// Adds the modes that hold energy at a state, `energy` in joule.
 void addModes(const DynamicalSystem& whole, const State& at, LookBudget& budget, std::vector<Mode>& modes) {
   if (!budget.covers(assemblyCost(whole))) return;
   const LinearisedSystem linearised(whole, at);
   budget.spend(assemblyCost(whole));
-  const int dimension = affordable(linearised, budget);
+  const auto cost = [&](int dimension) { return 2.0 * modesOfCost(linearised, dimension); };  // two subspaces
+  const int dimension = budget.affordable(24, cost);
   if (dimension == 0) return;
-  budget.spend(2.0 * modesOfCost(linearised, dimension));
+  budget.spend(cost(dimension));
   const CompactSystem& system = linearised.system();
   const State state = system.compact(at);
   const double kinetic = 0.5 * massProduct(system, state.v);

@@ -101,12 +101,10 @@ StabilityReport report(const DynamicalSystem& system, Integrator& method, const 
 /// The dimension of the subspaces that a look may take: all that it wants where the budget has it, less without
 /// matrices, for then there is nothing else to look at; 0 where there is too little.
 int affordable(const LinearisedSystem& system, const LookBudget& budget) {
-  constexpr int wanted = 40, least = 4;
+  constexpr int wanted = 40;
   if (budget.covers(extremeModesCost(system, wanted))) return wanted;
   if (system.stiffnessMatrix() != nullptr) return 0;
-  int dimension = wanted;
-  while (dimension >= least && !budget.covers(extremeModesCost(system, dimension))) --dimension;
-  return dimension >= least ? dimension : 0;
+  return budget.affordable(wanted, [&](int dimension) { return extremeModesCost(system, dimension); });
 }
 
 /// "up to h = 0.002 s, by a bound from one pass over the springs".

@@ -2,6 +2,7 @@
 
 #include "base/text/count.h"
 #include "engine/control/simulate.h"
+#include "engine/forces/layout.h"
 #include "engine/integrators/catalogue.h"
 
 #include <fmt/format.h>
@@ -119,8 +120,7 @@ Foresight foresee(const Scene& scene) {
   if (scene.outputInterval > 0.0) foresight.outputs = std::ceil(scene.duration / scene.outputInterval);
   if (foresight.outputs) *foresight.outputs += 1.0;  // the start
   foresight.unknowns = static_cast<double>(model.dimension * std::ranges::count_if(model.nodes, isFree));
-  const double lanes = model.dimension == 3 ? 4.0 : model.dimension;  // of a node
-  const double coordinates = static_cast<double>(model.nodes.size()) * lanes;
+  const double coordinates = static_cast<double>(model.nodes.size()) * Layout::padded(model.dimension, 1).storage;
   foresight.output = 2.0 * number * coordinates + number * static_cast<double>(1 + scene.outputs.size());
   foresight.model = modelBytes(model);
   foresight.state = number * coordinates * (6.0 + info.stages);  // x and v before, after and as told; a force a stage

@@ -1,5 +1,5 @@
-#include "engine/integrators/explicit/engines/combination.h"
 #include "engine/integrators/explicit/engines/stage_kernels.h"
+#include "engine/integrators/explicit/engines/step_finish.h"
 #include "engine/integrators/explicit/methods.h"
 
 namespace muelle::engine {

@@ -1,6 +1,6 @@
-#include "engine/integrators/explicit/engines/combination.h"
 #include "engine/integrators/explicit/engines/stage_kernels.h"
 #include "engine/integrators/explicit/engines/state_mark.h"
+#include "engine/integrators/explicit/engines/step_finish.h"
 #include "engine/integrators/explicit/methods.h"
 
 #include <fmt/format.h>

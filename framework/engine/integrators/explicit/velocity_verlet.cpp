@@ -1,7 +1,7 @@
-#include "engine/integrators/explicit/engines/combination.h"
 #include "engine/integrators/explicit/engines/drag_factors.h"
 #include "engine/integrators/explicit/engines/kick.h"
 #include "engine/integrators/explicit/engines/stage_kernels.h"
+#include "engine/integrators/explicit/engines/step_finish.h"
 #include "engine/integrators/explicit/methods.h"
 
 #include <algorithm>

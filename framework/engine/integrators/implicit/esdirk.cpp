@@ -1,6 +1,7 @@
 #include "engine/integrators/implicit/esdirk.h"
 
-#include "engine/integrators/explicit/engines/combination.h"
+#include "engine/integrators/explicit/engines/step_finish.h"
+#include "engine/solve/spans.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,11 +101,9 @@ double Esdirk::error(const DynamicalSystem& system, const State& from, double h)
 }
 
 double Esdirk::overTolerance(const State& from) const {
-  Combination positions, velocities;
-  positions.add(1.0, errorX_.data());
-  velocities.add(1.0, errorV_.data());
-  return larger(positions.largestError(1.0, from.x, pendingEnd_.x, allowed_.relative * errorScale_.position),
-                velocities.largestError(1.0, from.v, pendingEnd_.v, allowed_.relative * errorScale_.velocity));
+  const double position = allowed_.relative * errorScale_.position, velocity = allowed_.relative * errorScale_.velocity;
+  return larger(largestErrorRatio(spanOf(errorX_), from.x, pendingEnd_.x, position),
+                largestErrorRatio(spanOf(errorV_), from.v, pendingEnd_.v, velocity));
 }
 
 /// (I - c f')^-1 on the estimate, eliminated for the positions as the stages are:

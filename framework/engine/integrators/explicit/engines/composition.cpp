@@ -1,6 +1,6 @@
 #include "engine/integrators/explicit/engines/composition.h"
 
-#include "engine/integrators/explicit/engines/combination.h"
+#include "engine/integrators/explicit/engines/step_finish.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
-#include "engine/integrators/explicit/engines/combination.h"
 #include "engine/integrators/explicit/engines/stage_sum.h"
 #include "engine/integrators/explicit/engines/state_mark.h"
+#include "engine/integrators/explicit/engines/step_finish.h"
 #include "engine/integrators/explicit/tableaus.h"
 
 #include <vector>

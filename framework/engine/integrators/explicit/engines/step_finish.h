@@ -1,42 +1,14 @@
 #pragma once
 /// \file
-/// Sums over stages in one pass over memory.
+/// How a step begins and ends: sizes, what rounding lost, estimated errors, numbers that are not finite.
 
 #include "engine/integrator.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <string>
 
 namespace muelle::engine {
-
-/// Weighted stages w_1 k_1 + w_2 k_2 + ..., with the zero weights left out.
-class Combination {
- public:
-  /// Adds w k; k has as many entries as the vectors that the sum is added to. Nothing is kept of a zero weight.
-  void add(double weight, const double* k);
-  /// out = base + scale * sum, in one pass over all arrays. `out` may be `base`.
-  void addTo(In base, double scale, Out out) const;
-  /// out = scale * sum.
-  void assignTo(double scale, Out out) const;
-  /// The largest |scale * sum|_i over what is allowed: see errorRatio().
-  double largestError(double scale, In from, In to, double allowed) const;
-
- private:
-  /// Entries [begin, begin + count) of the sum, count at most blockSize.
-  void block(std::size_t begin, std::size_t count, double* sum) const;
-
-  static constexpr std::size_t blockSize = 256;  // doubles: stays in the first cache while the stages pass by
-  struct Term {
-    double weight;
-    const double* k;
-  };
-  std::array<Term, 24> terms_;
-  std::size_t count_ = 0;
-};
 
 /// What the rounding of sum = a + b lost (Knuth). A drift h (v + k) that forgets it errs by h ulp(v) in the same
 /// direction often enough to show as a slow loss of energy in long compensated runs.
@@ -54,6 +26,9 @@ inline double errorRatio(double estimate, double from, double to, double allowed
 
 /// The larger of two; not a number when either is none (std::max would hide it).
 inline double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
+
+/// The largest errorRatio() of an estimate; not a number where one is none.
+double largestErrorRatio(In estimate, In from, In to, double allowed);
 
 /// Sets the sizes, z and time of the result of a step of h.
 inline void prepareResult(const State& from, double h, State& to) {
