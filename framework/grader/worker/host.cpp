@@ -14,9 +14,11 @@
 #include "grader/worker/sanitised.h"
 
 #include <dlfcn.h>
+#include <limits.h>
 #include <malloc.h>
 #include <sys/prctl.h>
 #include <unistd.h>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -57,8 +59,16 @@ void send(wire::FrameKind kind, std::uint64_t nonce, std::uint32_t target, const
   header.nonce = nonce;
   header.target = target;
   header.bytes = static_cast<std::uint32_t>(count);
-  writeAll(&header, sizeof header);
-  if (count > 0) writeAll(data, count);
+  if (sizeof header + count > PIPE_BUF) {
+    writeAll(&header, sizeof header);
+    writeAll(data, count);
+    return;
+  }
+  // In one piece: a signal that strikes between two writes would put its last words into the middle of an answer.
+  std::array<std::byte, PIPE_BUF> frame;  // NOLINT(cppcoreguidelines-pro-type-member-init): written before it is read
+  std::memcpy(frame.data(), &header, sizeof header);
+  if (count > 0) std::memcpy(frame.data() + sizeof header, data, count);
+  writeAll(frame.data(), sizeof header + count);
 }
 
 void sendText(wire::FrameKind kind, std::uint64_t nonce, const std::string& text) {

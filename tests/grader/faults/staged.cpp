@@ -115,7 +115,9 @@ void StagedFault::expectUndisturbed(const GradedExercise& graded, const Sources&
   const auto calm = calmPoints(sources);
   EXPECT_EQ(graded.build.status, BuildOutcome::Status::Built) << graded.build.message << graded.build.diagnostics;
   for (const Criterion& criterion : graded.manifest.criteria) {
-    EXPECT_EQ(score(criterion, graded), calm.at(criterion.suite)) << criterion.suite;
+    const auto verdict = graded.verdicts.find(criterion.suite);
+    const std::string said = verdict == graded.verdicts.end() ? "" : verdict->second.fault;
+    EXPECT_EQ(score(criterion, graded), calm.at(criterion.suite)) << criterion.suite << ": " << said;
     if (sources == honest_) {
       EXPECT_EQ(score(criterion, graded), criterion.points) << criterion.suite;
     }
