@@ -49,9 +49,9 @@ Figure stability_regions() {
   addLimits(panel, "runge_kutta_4", 2);
   panel.nameAt(0.3, 3.1, "classical Runge-Kutta");
   addLimits(panel, "velocity_verlet", 3);
-  panel.nameAt(0.5, 2.15, "velocity Verlet");
+  panel.nameAt(0.96, 0.2, "velocity Verlet: 2(√(1 + 4ζ²) − 2ζ)");
   addLimits(panel, "symplectic_euler", 0);
-  panel.nameAt(0.75, 0.5, "symplectic Euler: 2(√(1 + ζ²) − ζ)");
+  panel.nameAt(0.06, 2.15, "symplectic Euler: 2(√(1 + ζ²) − ζ)");
   addLimits(panel, "explicit_euler", 1);
   panel.nameAt(0.25, 0.3, "explicit Euler: 2ζ up to ζ = 1");
   addLimits(panel, "backward_euler", 4);
