@@ -15,7 +15,7 @@ std::vector<double> forces(double k, double L0, const std::vector<double>& posit
   model.springs.push_back({.a = 1, .b = 0, .k = k, .L0 = L0});
   const auto system = engine::build(model);
   State state = system->initialState();
-  std::vector<double> values, force(1);
+  std::vector<double> values, force(state.x.size());
   for (const double x : positions) {
     state.x[0] = x;
     system->force(0.0, state.x, state.v, state.z, force);

@@ -3,11 +3,13 @@
 /// MUELLE_FUNCTIONS for the public tests and demos: submission::f(args) calls the student's f in this process and
 /// remembers the call, so that a failure can print it as a line to paste and a crash can name it.
 
+#include "course/testing/brief_exception.h"
 #include "course/testing/call_record.h"
 #include "course/testing/never_written.h"
 #include "course/testing/struct_fields.h"
 #include "harness/for_each.h"
 
+#include <exception>
 #include <type_traits>
 #include <utility>
 
@@ -24,6 +26,15 @@ class DirectFunction<Result(Args...)> {
 
   Result operator()(Args... args) const {
     const CallRecord record(name_, args...);
+    try {
+      return call(std::forward<Args>(args)...);
+    } catch (const std::exception& error) {
+      rethrowBriefly(error);
+    }
+  }
+
+ private:
+  Result call(Args... args) const {
     // What comes in with such bits may go out with them.
     const bool mayJudge = CallRecord::printsArguments() && !(holdsFill(args) || ...);
     if constexpr (std::is_void_v<Result>) {
@@ -35,8 +46,6 @@ class DirectFunction<Result(Args...)> {
       return result;
     }
   }
-
- private:
   /// An argument that the function writes to holds what nobody has written.
   template <class Arg>
   static bool isFilledOutput(const std::remove_reference_t<Arg>& arg) {

@@ -2,8 +2,10 @@
 
 #include "engine/forces/segment.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 namespace muelle::engine {
 
@@ -74,9 +76,21 @@ std::vector<Rod> MassSpringSystem::rodsOfModel() const {
   return rods;
 }
 
+/// Batches write to every lane, those of held nodes and padding among them, by plain pointers.
+void MassSpringSystem::requireEveryLane(Out f) const {
+  if (f.size() != static_cast<std::size_t>(storage())) {
+    throw std::invalid_argument(fmt::format("forces for {} lanes where the system has {}", f.size(), storage()));
+  }
+}
+
+void MassSpringSystem::clear(Out f) const {
+  requireEveryLane(f);
+  std::fill(f.begin(), f.end(), 0.0);
+}
+
 void MassSpringSystem::force(double t, In x, In v, In z, Out f) const {
   const Configuration at = configuration(t, x, v, z);
-  std::fill(f.begin(), f.end(), 0.0);
+  clear(f);
   for (const auto& batch : batches_) batch->addForce(at, f.data());
   if (drag_) drag_->addForce(at, f.data());
 }
@@ -84,12 +98,13 @@ void MassSpringSystem::force(double t, In x, In v, In z, Out f) const {
 /// Overwrites a with the accelerations, with or without the drag.
 void MassSpringSystem::accelerate(const Configuration& at, In x, In v, bool withDrag, Out a) const {
   if (grid_) {
+    requireEveryLane(a);
     const bool others = onGrid_ < batches_.size();
     if (others) std::fill(scratch_.begin(), scratch_.end(), 0.0);
     for (std::size_t i = onGrid_; i < batches_.size(); ++i) batches_[i]->addForce(at, scratch_.data());
     return grid_->accelerate(x, v, others ? scratch_.data() : nullptr, inverseMass_, withDrag, a);
   }
-  std::fill(a.begin(), a.end(), 0.0);
+  clear(a);
   for (const auto& batch : batches_) batch->addForce(at, a.data());
   if (withDrag && drag_) drag_->addForce(at, a.data());
   for (std::size_t i = 0; i < a.size(); ++i) a[i] *= inverseMass_[i];
@@ -140,19 +155,19 @@ double MassSpringSystem::energy(double t, In x, In z) const {
 
 void MassSpringSystem::conservativeForce(double t, In x, In z, Out f) const {
   const Configuration at = configuration(t, x, zeroVelocity_, z);
-  std::fill(f.begin(), f.end(), 0.0);
+  clear(f);
   for (const auto& batch : batches_) batch->addConservativeForce(at, f.data());
 }
 
 void MassSpringSystem::discreteGradientForce(double t, In xa, In xb, In z, Out f) const {
   const Configuration a = configuration(t, xa, zeroVelocity_, z), b = configuration(t, xb, zeroVelocity_, z);
-  std::fill(f.begin(), f.end(), 0.0);
+  clear(f);
   for (const auto& batch : batches_) batch->addDiscreteGradientForce(a, b, f.data());
 }
 
 void MassSpringSystem::externalForce(double t, In x, In v, In z, Out f) const {
   const Configuration at = configuration(t, x, v, z);
-  std::fill(f.begin(), f.end(), 0.0);
+  clear(f);
   for (const auto& batch : batches_) batch->addExternalForce(at, f.data());
   if (drag_) drag_->addForce(at, f.data());
 }

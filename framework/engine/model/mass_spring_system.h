@@ -114,6 +114,8 @@ class MassSpringSystem final : public ModelSystem,
   void layOut();
   std::vector<Rod> rodsOfModel() const;
   void countBatches();
+  void requireEveryLane(Out f) const;
+  void clear(Out f) const;
   void accelerate(const Configuration& at, In x, In v, bool withDrag, Out a) const;
   int componentOf(int axis) const;
   void bind() const;

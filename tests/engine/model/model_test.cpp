@@ -297,5 +297,16 @@ TEST(Allocation, NoneInForceOrEnergyAfterTheFirst) {
   EXPECT_EQ(allocationCount() - before, 0);
 }
 
+TEST(Forces, WithoutRoomForEveryLaneAreRefused) {
+  Model model = twoNodes();
+  model.nodes[0].pinned = true;
+  const auto system = build(model);
+  const State state = system->initialState();
+  std::vector<double> ofUnknownsAlone(static_cast<std::size_t>(system->size()));
+  EXPECT_THROW(system->force(0, state.x, state.v, state.z, ofUnknownsAlone), std::invalid_argument);
+  EXPECT_THROW(system->acceleration(0, state.x, state.v, state.z, ofUnknownsAlone), std::invalid_argument);
+  EXPECT_THROW(system->potential()->conservativeForce(0, state.x, state.z, ofUnknownsAlone), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace muelle::engine::testing
