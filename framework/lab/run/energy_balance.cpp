@@ -97,6 +97,30 @@ std::optional<StabilityFunctionLoss> linearLoss(const ModelSystem& system, const
   return loss.factor < 1.0 - rounding ? std::optional(loss) : std::nullopt;
 }
 
+/// The highest energy at an end of a step up to `until` [s], less the start's; what is beyond `enough` [J] is enough.
+double highestAtSteps(const ModelSystem& system, const std::string& id, const RunOptions& options, double until,
+                      double enough) {
+  const std::unique_ptr<Integrator> method = makeMethod(id);
+  Simulation simulation(system, *method, system.initialState(), options);
+  const double start = system.totalEnergy(simulation.state());
+  double highest = 0.0;
+  while (highest <= enough && simulation.time() < until && simulation.advance().goesOn()) {
+    highest = std::max(highest, system.totalEnergy(simulation.state()) - start);
+  }
+  return highest;
+}
+
+/// A run is judged by where its steps end: a gain that only interpolated outputs show is none of the motion's.
+void judgeAtSteps(const ModelSystem& system, const std::string& method, const RunOptions& options,
+                  const RunResult& result, EnergyBalance& balance) {
+  if (!balance.fails() || options.outputInterval == 0.0) return;
+  const double enough = std::max(mostGain * balance.scale, balance.allowed);
+  const double highest = highestAtSteps(system, method, options, result.trajectory.t.back(), enough);
+  if (highest > enough) return;
+  balance.interpolated = balance.highest;
+  balance.highest = highest;
+}
+
 }  // namespace
 
 EnergyFate energyFate(const ModelSystem& system) {
@@ -155,6 +179,7 @@ EnergyBalance energyBalance(const ModelSystem& system, const std::string& method
   if (balance.fate != EnergyFate::Open && balance.highest > mostGain * balance.scale) {
     balance.allowed = (largestSwing(system, method, options) - 1.0) * balance.scale;
   }
+  judgeAtSteps(system, method, options, result, balance);
   if (balance.fate != EnergyFate::Open && -balance.end > toldLoss * balance.scale) {
     balance.linearLoss = linearLoss(system, method, options);
   }

@@ -29,8 +29,11 @@ struct EnergyBalance {
   double scale = 0.0;    ///< see energyScale() [J]
   double start = 0.0;    ///< [J]
   double end = 0.0;      ///< less the start [J]
-  double highest = 0.0;  ///< over the outputs, less the start [J]
+  double highest = 0.0;  ///< over the outputs, or see `interpolated`, less the start [J]
   double lowest = 0.0;   ///< likewise [J]
+  /// What the outputs show in place of `highest`, where they lie between steps and no step ends so high: a state
+  /// between two steps is interpolated, and of a stiff spring a small error of place is much energy [J].
+  std::optional<double> interpolated = {};
   /// The gain that the method's own, modified energy allows at this step [J]; looked for only when there is a gain of
   /// more than 5 % of the scale.
   double allowed = 0.0;

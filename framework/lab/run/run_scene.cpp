@@ -95,6 +95,10 @@ std::string energyLine(const EnergyBalance& balance) {
     text += most < 0.995 ? fmt::format(" (up to {:.2g} % of", 100.0 * most) : fmt::format(" (up to {:.2g} times", most);
     text += fmt::format(" the scene's {:.3g} J)", balance.scale);
   }
+  if (balance.interpolated) {
+    text += fmt::format(" at the ends of steps; outputs between them are interpolated, and show up to {:+.3g} J",
+                        *balance.interpolated);
+  }
   if (balance.fate == EnergyFate::KeptOrLost) return text + "; it may be lost, not gained";
   if (balance.fate == EnergyFate::Open) return text + "; something drives the scene";
   return text;
