@@ -13,6 +13,7 @@
 #include "engine/model/damping.h"
 #include "engine/model/mass_spring_system.h"
 #include "engine/model/numbering.h"
+#include "engine/model/parts.h"
 #include "engine/model/validate.h"
 
 #include <algorithm>
@@ -343,7 +344,8 @@ std::unique_ptr<ModelSystem> buildIn(const Model& model) {
 
 }  // namespace
 
-std::unique_ptr<ModelSystem> build(const Model& model) {
+std::unique_ptr<ModelSystem> build(const Model& model, const std::vector<std::string>& without) {
+  if (!without.empty()) return build(withoutParts(model, without));
   validate(model);
   switch (model.dimension) {
     case 1:
