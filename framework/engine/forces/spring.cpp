@@ -16,7 +16,9 @@ constexpr double shortest = 1e-100;
 }  // namespace
 
 template <int D>
-Spring<D>::Spring(std::vector<SpringElement> springs, SpringKind kind) : springs_(std::move(springs)), kind_(kind) {
+Spring<D>::Spring(std::vector<SpringElement> springs, SpringKind kind, const Layout& layout)
+    : springs_(std::move(springs)), kind_(kind) {
+  setLayout(layout);
   for (SpringElement& s : springs_) {
     if (D == 1) {
       s.dRelative += s.dProjected;
@@ -25,13 +27,12 @@ Spring<D>::Spring(std::vector<SpringElement> springs, SpringKind kind) : springs
     damped_ = damped_ || s.dRelative > 0.0 || s.dProjected > 0.0;
     projected_ = projected_ || s.dProjected > 0.0;
   }
+  group(layout);
 }
 
 template <int D>
-void Spring<D>::setLayout(const Layout& layout) {
+void Spring<D>::group(const Layout& layout) {
   constexpr std::size_t few = 8;  // springs, below which there is nothing to group
-  ForceBatch::setLayout(layout);
-  groups_.reset();
   const bool byDistance = std::ranges::all_of(springs_, [](const SpringElement& s) { return s.side == 0.0; });
   if (kind_ != SpringKind::Plain || !byDistance || springs_.size() < few || layout.isPlanar()) return;
   std::vector<kernels::SpringData> data;
@@ -226,7 +227,7 @@ void Spring<D>::addDerivatives(const Configuration& at, double cD, double cK, Fo
 }
 
 template <int D>
-bool Spring<D>::evaluateConstraint(int j, const Configuration& at, Constraint& out) const {
+bool Spring<D>::evaluate(int j, const Configuration& at, Constraint& out) const {
   const auto i = static_cast<std::size_t>(j);
   const SpringElement& s = springs_[i];
   const Vector d = difference(s, at.x);
@@ -236,7 +237,7 @@ bool Spring<D>::evaluateConstraint(int j, const Configuration& at, Constraint& o
   out.kind = Constraint::Kind::Distance;
   out.count = 0;
   out.value = sign(i, d, at.z) * L - s.L0;
-  out.compliance = 1.0 / s.k;
+  out.stiffness = s.k;
   out.damping = s.dProjected;
   for (const auto& [node, side] : {std::pair(s.a, 1.0), std::pair(s.b, -1.0)}) {
     for (int c = 0; c < D; ++c) {
@@ -246,6 +247,18 @@ bool Spring<D>::evaluateConstraint(int j, const Configuration& at, Constraint& o
     }
   }
   return true;
+}
+
+template <int D>
+void Spring<D>::project(const Configuration& at, const ConstraintProjection& projection) const {
+  sweepConstraints(
+      0, constraintCount(), [&](int j, Constraint& c) { return evaluate(j, at, c); }, projection);
+}
+
+template <int D>
+void Spring<D>::evaluateConstraints(const Configuration& at, int first, ConstraintBlocks& blocks) const {
+  sweepConstraints(
+      first, constraintCount(), [&](int j, Constraint& c) { return evaluate(j, at, c); }, blocks);
 }
 
 template <int D>
@@ -266,18 +279,16 @@ void Spring<D>::addExternalForce(const Configuration& at, double* f) const {
 
 template <int D>
 int Spring<D>::internalSize() const {
-  if (kind_ == SpringKind::Plain) return 0;
   return static_cast<int>(springs_.size() * valuesEach());
 }
 
 template <int D>
 int Spring<D>::guardCount() const {
-  return kind_ == SpringKind::Plain ? 0 : static_cast<int>(springs_.size());
+  return static_cast<int>(springs_.size());
 }
 
 template <int D>
 void Spring<D>::guards(const Configuration& at, double* g) const {
-  if (kind_ == SpringKind::Plain) return;
   for (std::size_t i = 0; i < springs_.size(); ++i) {
     const Vector d = difference(springs_[i], at.x);
     if (kind_ == SpringKind::Unilateral) {
@@ -299,7 +310,6 @@ std::string Spring<D>::guardName(int i) const {
 template <int D>
 bool Spring<D>::commit(const Configuration& at, bool frozen, double* z) const {
   bool changed = false;
-  if (kind_ == SpringKind::Plain) return changed;
   for (std::size_t i = 0; i < springs_.size(); ++i) {
     const Vector d = difference(springs_[i], at.x), w = difference(springs_[i], at.v);
     const double L = length<D>(d);

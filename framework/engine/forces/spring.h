@@ -46,11 +46,11 @@ enum class SpringKind {
 ///
 /// Unilateral: nothing of the spring acts (damping neither) when L > L0; live by the length, frozen by the mode in z.
 template <int D>
-class Spring final : public ForceBatch {
+class Spring final : public ForceBatch, private StiffnessPiece, private ConstraintPiece, private SwitchingPiece {
  public:
-  Spring(std::vector<SpringElement> springs, SpringKind kind);
+  /// \param layout that of setLayout()
+  Spring(std::vector<SpringElement> springs, SpringKind kind, const Layout& layout);
 
-  void setLayout(const Layout& layout) override;
   bool isConservative() const override { return !damped_; }
   bool usesVelocity() const override { return damped_; }
   void addForce(const Configuration& at, double* f) const override;
@@ -60,6 +60,14 @@ class Spring final : public ForceBatch {
   /// unilateral spring counts the part of its length below L0.
   void addDiscreteGradientForce(const Configuration& a, const Configuration& b, double* f) const override;
 
+  StiffnessPiece* stiffnessPiece() override { return this; }
+  ConstraintPiece* constraintPiece() override { return this; }
+  SwitchingPiece* switchingPiece() override { return kind_ == SpringKind::Plain ? nullptr : this; }
+
+ private:
+  using Vector = Eigen::Matrix<double, D, 1>;
+  using Block = Eigen::Matrix<double, D, D>;
+
   void couple(MatrixPattern& pattern) const override;
   void bind(const MatrixPattern& pattern) override;
   void addDerivatives(const Configuration& at, double cD, double cK, Form form, double* values) const override;
@@ -67,7 +75,8 @@ class Spring final : public ForceBatch {
 
   int constraintCount() const override { return static_cast<int>(springs_.size()); }
   bool constraintsAreDistances() const override { return true; }
-  bool evaluateConstraint(int j, const Configuration& at, Constraint& out) const override;
+  void project(const Configuration& at, const ConstraintProjection& projection) const override;
+  void evaluateConstraints(const Configuration& at, int first, ConstraintBlocks& blocks) const override;
   /// Relative damping acts across the spring too, which no constraint expresses.
   void addExternalForce(const Configuration& at, double* f) const override;
 
@@ -80,10 +89,8 @@ class Spring final : public ForceBatch {
   void cross(int guard, const Configuration& at, double* z) const override;
   void close(const Configuration& at, double* z) const override;
 
- private:
-  using Vector = Eigen::Matrix<double, D, 1>;
-  using Block = Eigen::Matrix<double, D, D>;
-
+  bool evaluate(int j, const Configuration& at, Constraint& out) const;
+  void group(const Layout& layout);
   Vector difference(const SpringElement& s, const double* values) const;
   std::size_t valuesEach() const;  // internal variables of a spring that has any
   const double* internal(std::size_t i, const double* z) const;

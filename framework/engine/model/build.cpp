@@ -159,7 +159,7 @@ void addSprings(Builder& builder) {
     std::sort(springs->begin(), springs->end(), [](const SpringElement& p, const SpringElement& q) {
       return std::pair(std::min(p.a, p.b), std::max(p.a, p.b)) < std::pair(std::min(q.a, q.b), std::max(q.a, q.b));
     });
-    builder.batches.push_back(std::make_unique<Spring<D>>(std::move(*springs), kind));
+    builder.batches.push_back(std::make_unique<Spring<D>>(std::move(*springs), kind, builder.numbering.layout));
   }
 }
 
