@@ -2,6 +2,7 @@
 /// \file
 /// What a system can offer a method beyond its force. Students never see this header.
 
+#include "engine/constraint_sweep.h"
 #include "harness/state.h"
 #include "harness/types.h"
 
@@ -74,18 +75,6 @@ class Linearisation {
                         SystemMatrix& J) const = 0;
 };
 
-/// One scalar constraint C(x) = 0 softened by its compliance, as XPBD and projective dynamics take it.
-struct Constraint {
-  enum class Kind { Distance, Other };
-  Kind kind = Kind::Other;
-  int count = 0;                      ///< how many of the entries below are in use
-  std::array<int, 12> lane{};         ///< indices into x; a distance has node a's lanes first, then node b's
-  std::array<double, 12> gradient{};  ///< dC/dx of these lanes, those of held nodes among them
-  double value = 0.0;                 ///< C [m] for a distance L - L0
-  double compliance = 0.0;            ///< 1/k, so that the energy is C^2 / (2 compliance)
-  double damping = 0.0;               ///< projected damping d: force -d dC/dt along the gradient
-};
-
 /// The elastic energies as constraints; what is no constraint is an external force.
 class Constraints {
  public:
@@ -94,8 +83,10 @@ class Constraints {
   virtual int count() const = 0;
   /// Whether all of them are distances, those that do not act included.
   virtual bool onlyDistances() const { return true; }
-  /// Evaluates constraint j at x; false when it does not act (an open contact).
-  virtual bool evaluate(int j, double t, In x, In z, Constraint& out) const = 0;
+  /// Hands those that act at x (an open contact does not) to `take`, in order, some at a time.
+  virtual void evaluate(double t, In x, In z, const ConstraintBlocks::Take& take) const = 0;
+  /// Projects those that act, in order, each at the x that those before it have left.
+  virtual void project(double t, In z, const ConstraintProjection& projection) const = 0;
   /// Overwrites f with the forces that no constraint covers: gravity, drag, external forces.
   virtual void externalForce(double t, In x, In v, In z, Out f) const = 0;
   /// Empty when the constraints and externalForce() together are all the forces; else what is left out, for a message.

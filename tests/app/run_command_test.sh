@@ -27,6 +27,9 @@ expect 2 "no scene file" missing/scene.toml
 expect 2 "did you mean 'dop853'?" oscillator --method dop85
 expect 2 "no method 'rk4'; here it is 'runge_kutta_4'" oscillator --method rk4
 expect 0 "2 nodes, 1 spring, 1 unknown" oscillator --no-error-estimate
+expect 0 "parts       spring: 1 element, " oscillator --no-error-estimate --parts
+expect 2 "there is no part 'sprng'; did you mean 'spring'?" oscillator --without sprng
+expect 0 "100 nodes, 180 springs" corner_hung_cloth --duration 0.001 --no-error-estimate --without cloth.shear gravity
 expect 2 "--step is 0 s" oscillator --step 0
 expect 2 "--step is nan s" oscillator --step nan
 expect 2 "has no error estimate" oscillator --tolerance 1e-6

@@ -35,6 +35,7 @@ struct Command {
   bool list = false;
   bool methods = false;
   bool noErrorEstimate = false;
+  bool parts = false;
 };
 
 int listScenesWithTitles() {
@@ -83,6 +84,7 @@ int run(const Command& command) {
     result.error = estimateError(scene, result, scene.name + ", error");
   }
   fmt::print("{}", summaryOf(scene, result));
+  if (command.parts) fmt::print("{}", workOfParts(result));
   writeResults(command, scene, result);
   std::fflush(stdout);
   if (result.result.failed()) {
@@ -107,9 +109,12 @@ int parseAndRun(int argc, char** argv) {
       .option("--events", command.events,
               "End steps at contacts and jumps, or (off) step over them [the scene's, or on]")
       .oneOf({"on", "off"});
+  program.option("--without", command.overrides.without,
+                 "Parts of the model to leave out, by name: gravity, cloth.bend (--parts names them)");
   program.flag("--compensated", command.overrides.compensated, "Compensated summation, for long runs");
   program.flag("--no-error-estimate", command.noErrorEstimate,
                "Leave out the runs with other steps, which cost two to seven times the first, more where it is short");
+  program.flag("--parts", command.parts, "Say of each part of the model what it has cost");
   program.flag("--plot", command.plot, "Draw energy, outputs, shape and paths");
   program.flag("--csv", command.csv,
                "Write the trajectory as a table, with a column for each node and axis as the scene numbers them");

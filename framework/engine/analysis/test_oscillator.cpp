@@ -29,15 +29,25 @@ void TestOscillator::assemble(double cM, double cD, double cK, double, In, In, I
   J.symmetric = true;
 }
 
-bool TestOscillator::evaluate(int, double, In x, In, Constraint& out) const {
+Constraint TestOscillator::constraintAt(double x) const {
+  Constraint out;
   out.kind = Constraint::Kind::Distance;
   out.count = 1;
   out.lane[0] = 0;
   out.gradient[0] = 1.0;
-  out.value = x[0];
-  out.compliance = 1.0 / stiffness;
+  out.value = x;
+  out.stiffness = stiffness;
   out.damping = damping;
-  return stiffness > 0.0;
+  return out;
+}
+
+void TestOscillator::evaluate(double, In x, In, const ConstraintBlocks::Take& take) const {
+  const Constraint constraint = constraintAt(x[0]);
+  if (stiffness > 0.0) take({&constraint, 1});
+}
+
+void TestOscillator::project(double, In, const ConstraintProjection& projection) const {
+  if (stiffness > 0.0) projection(constraintAt(projection.x[0]));
 }
 
 void TestOscillator::externalForce(double, In, In v, In, Out f) const {

@@ -30,11 +30,14 @@ class TestOscillator : public DynamicalSystem, public Potential, public Drag, pu
   bool remainderUsesVelocity() const override { return damping != 0.0; }
   void assemble(double cM, double cD, double cK, double t, In x, In v, In z, Form form, SystemMatrix& J) const override;
   int count() const override { return 1; }
-  bool evaluate(int j, double t, In x, In z, Constraint& out) const override;
+  void evaluate(double t, In x, In z, const ConstraintBlocks::Take& take) const override;
+  void project(double t, In z, const ConstraintProjection& projection) const override;
   void externalForce(double t, In x, In v, In z, Out f) const override;
   std::string leftOut() const override { return {}; }
 
  private:
+  Constraint constraintAt(double x) const;
+
   double one_ = 1.0;
 };
 

@@ -141,19 +141,31 @@ void Contact<D, Shape>::addDerivatives(const Configuration& at, double cD, doubl
 }
 
 template <int D, class Shape>
-bool Contact<D, Shape>::evaluateConstraint(int j, const Configuration& at, Constraint& out) const {
+bool Contact<D, Shape>::evaluate(int j, const Configuration& at, Constraint& out) const {
   const Meeting<D> m = meet(j, at);
   if (!m.acts || !(m.touch.depth > 0.0)) return false;
   out.kind = Constraint::Kind::Other;
   out.count = D;
   out.value = -m.touch.depth;
-  out.compliance = 1.0 / obstacle_.k;
+  out.stiffness = obstacle_.k;
   out.damping = obstacle_.d;
   for (int c = 0; c < D; ++c) {
     out.lane[static_cast<std::size_t>(c)] = layout_.lane(builtOf(j), c);
     out.gradient[static_cast<std::size_t>(c)] = m.touch.normal[c];
   }
   return true;
+}
+
+template <int D, class Shape>
+void Contact<D, Shape>::project(const Configuration& at, const ConstraintProjection& projection) const {
+  sweepConstraints(
+      0, constraintCount(), [&](int j, Constraint& c) { return evaluate(j, at, c); }, projection);
+}
+
+template <int D, class Shape>
+void Contact<D, Shape>::evaluateConstraints(const Configuration& at, int first, ConstraintBlocks& blocks) const {
+  sweepConstraints(
+      first, constraintCount(), [&](int j, Constraint& c) { return evaluate(j, at, c); }, blocks);
 }
 
 template <int D, class Shape>
@@ -273,7 +285,6 @@ double Contact<D, Shape>::shortestBounce(const Configuration& at) const {
 
 template <int D, class Shape>
 double Contact<D, Shape>::anchorEnergy(const Configuration& at) const {
-  if (!hasFriction()) return 0.0;
   double sum = 0.0;
   for (int i = 0; i < nodes(); ++i) {
     const Meeting<D> m = meet(i, at);

@@ -53,7 +53,11 @@ struct ContactNodes {
 /// Internal variables: the obstacle's phase; then of each node the mode, the face for a box, with friction the grip
 /// (0 apart, 1 sticks, 2 slips) and the anchor relative to the obstacle.
 template <int D, class Shape>
-class Contact final : public ForceBatch {
+class Contact final : public ForceBatch,
+                      private StiffnessPiece,
+                      private ConstraintPiece,
+                      private SwitchingPiece,
+                      private FrictionPiece {
  public:
   using Vector = Eigen::Matrix<double, D, 1>;
   using Block = Eigen::Matrix<double, D, D>;
@@ -68,13 +72,19 @@ class Contact final : public ForceBatch {
   /// The exact quotient of the energy along the depth.
   void addDiscreteGradientForce(const Configuration& a, const Configuration& b, double* f) const override;
 
+  StiffnessPiece* stiffnessPiece() override { return this; }
+  ConstraintPiece* constraintPiece() override { return this; }
+  SwitchingPiece* switchingPiece() override { return this; }
+  FrictionPiece* frictionPiece() override { return hasFriction() ? this : nullptr; }
+
+ private:
   void bind(const MatrixPattern& pattern) override;
   void addDerivatives(const Configuration& at, double cD, double cK, Form form, double* values) const override;
   bool isNotSymmetric() const override;
 
   int constraintCount() const override { return nodes(); }
-  bool evaluateConstraint(int j, const Configuration& at, Constraint& out) const override;
-  void addExternalForce(const Configuration&, double*) const override {}
+  void project(const Configuration& at, const ConstraintProjection& projection) const override;
+  void evaluateConstraints(const Configuration& at, int first, ConstraintBlocks& blocks) const override;
   std::string leftOut() const override;
 
   int internalSize() const override { return 1 + nodes() * stride_; }
@@ -94,7 +104,7 @@ class Contact final : public ForceBatch {
   bool isThin() const override { return std::isfinite(shape_.thickness()); }
   double sweptBound(const Configuration& at, const double* a, double h) const override;
 
- private:
+  bool evaluate(int j, const Configuration& at, Constraint& out) const;
   int nodes() const { return static_cast<int>(nodes_.built.size()); }
   int builtOf(int node) const { return nodes_.built[static_cast<std::size_t>(node)]; }
   bool hasFriction() const { return D > 1 && obstacle_.slider.mu > 0.0; }

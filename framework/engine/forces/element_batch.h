@@ -19,7 +19,7 @@ namespace muelle::engine {
 ///   bool constraint(X, double& C, double& k, Vector& dC) const;   E = k C^2 / 2; false when undefined
 /// Explicitly instantiated beside each element.
 template <int D, class Element>
-class ElementBatch final : public ForceBatch {
+class ElementBatch final : public ForceBatch, private StiffnessPiece, private ConstraintPiece {
  public:
   static constexpr int N = Element::nodeCount;
   using Positions = Eigen::Matrix<double, D, N>;
@@ -31,15 +31,19 @@ class ElementBatch final : public ForceBatch {
   void addForce(const Configuration& at, double* f) const override;
   double energy(const Configuration& at) const override;
   void addDiscreteGradientForce(const Configuration& a, const Configuration& b, double* f) const override;
+  StiffnessPiece* stiffnessPiece() override { return this; }
+  ConstraintPiece* constraintPiece() override { return this; }
+
+ private:
   void couple(MatrixPattern& pattern) const override;
   void bind(const MatrixPattern& pattern) override;
   /// Form::Projected clamps the negative eigenvalues of each element's matrix at 0.
   void addDerivatives(const Configuration& at, double cD, double cK, Form form, double* values) const override;
   int constraintCount() const override { return static_cast<int>(elements_.size()); }
-  bool evaluateConstraint(int j, const Configuration& at, Constraint& out) const override;
-  void addExternalForce(const Configuration&, double*) const override {}
+  void project(const Configuration& at, const ConstraintProjection& projection) const override;
+  void evaluateConstraints(const Configuration& at, int first, ConstraintBlocks& blocks) const override;
 
- private:
+  bool evaluate(int j, const Configuration& at, Constraint& out) const;
   Positions gather(const Element& element, const double* x) const {
     Positions X;
     for (int i = 0; i < N; ++i) X.col(i) = layout_.at<D>(x, element.nodes[static_cast<std::size_t>(i)]);

@@ -60,13 +60,13 @@ void ElementBatch<D, Element>::addDerivatives(const Configuration& at, double, d
 }
 
 template <int D, class Element>
-bool ElementBatch<D, Element>::evaluateConstraint(int j, const Configuration& at, Constraint& out) const {
+bool ElementBatch<D, Element>::evaluate(int j, const Configuration& at, Constraint& out) const {
   const Element& element = elements_[static_cast<std::size_t>(j)];
   Vector gradient;
   double k = 0.0;
   if (!element.constraint(gather(element, at.x), out.value, k, gradient) || !(k > 0.0)) return false;
   out.kind = Constraint::Kind::Other;
-  out.compliance = 1.0 / k;
+  out.stiffness = k;
   out.damping = 0.0;
   out.count = 0;
   for (int i = 0; i < N; ++i) {
@@ -77,6 +77,18 @@ bool ElementBatch<D, Element>::evaluateConstraint(int j, const Configuration& at
     }
   }
   return true;
+}
+
+template <int D, class Element>
+void ElementBatch<D, Element>::project(const Configuration& at, const ConstraintProjection& projection) const {
+  sweepConstraints(
+      0, constraintCount(), [&](int j, Constraint& c) { return evaluate(j, at, c); }, projection);
+}
+
+template <int D, class Element>
+void ElementBatch<D, Element>::evaluateConstraints(const Configuration& at, int first, ConstraintBlocks& blocks) const {
+  sweepConstraints(
+      first, constraintCount(), [&](int j, Constraint& c) { return evaluate(j, at, c); }, blocks);
 }
 
 }  // namespace muelle::engine

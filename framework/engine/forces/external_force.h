@@ -8,7 +8,7 @@ namespace muelle::engine {
 /// The same force, a function of time alone, on each of some nodes. Where it jumps is declared; each force with
 /// declared times has an internal variable (segment.h).
 template <int D>
-class ExternalForce final : public ForceBatch {
+class ExternalForce final : public ForceBatch, private SwitchingPiece {
  public:
   using Vector = Eigen::Matrix<double, D, 1>;
 
@@ -26,11 +26,13 @@ class ExternalForce final : public ForceBatch {
   void addConservativeForce(const Configuration&, double*) const override {}
   void addDiscreteGradientForce(const Configuration&, const Configuration&, double*) const override {}
 
+  SwitchingPiece* switchingPiece() override { return this; }
+
+ private:
   int internalSize() const override;
   void declaredTimes(double from, double to, std::vector<double>& times) const override;
   bool commit(const Configuration& at, bool frozen, double* z) const override;
 
- private:
   std::vector<Item> items_;
 };
 

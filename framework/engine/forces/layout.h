@@ -27,7 +27,12 @@ struct Layout {
   /// The vector of node i.
   template <int D>
   Eigen::Matrix<double, D, 1> at(const double* values, int i) const {
-    const double* first = values + static_cast<std::ptrdiff_t>(i) * node;
+    return atLane<D>(values, i * node);
+  }
+  /// The vector of the node whose first lane it is.
+  template <int D>
+  Eigen::Matrix<double, D, 1> atLane(const double* values, int lane) const {
+    const double* first = values + lane;
     const std::ptrdiff_t next = component;
     // Written out: the compiler unrolls no loop whose stride it does not know.
     if constexpr (D == 1) {
@@ -41,7 +46,12 @@ struct Layout {
   /// Adds to the vector of node i.
   template <int D, class Vector>
   void add(double* values, int i, const Vector& addend) const {
-    double* first = values + static_cast<std::ptrdiff_t>(i) * node;
+    addAtLane<D>(values, i * node, addend);
+  }
+  /// Adds to the vector of the node whose first lane it is.
+  template <int D, class Vector>
+  void addAtLane(double* values, int lane, const Vector& addend) const {
+    double* first = values + lane;
     const std::ptrdiff_t next = component;
     first[0] += addend[0];
     if constexpr (D > 1) first[next] += addend[1];

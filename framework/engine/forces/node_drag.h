@@ -4,7 +4,7 @@
 namespace muelle::engine {
 
 /// Damping at the nodes, F = -d v (slide "Amortiguamiento", first of three): slows all motion, falls included.
-class NodeDrag final : public ForceBatch {
+class NodeDrag final : public ForceBatch, private StiffnessPiece {
  public:
   /// \param coefficients d [kg/s] of each lane, 0 where it is no unknown
   /// \param nodes built numbers of the free ones   \param dimension unknowns a node
@@ -19,10 +19,12 @@ class NodeDrag final : public ForceBatch {
   double energy(const Configuration&) const override { return 0.0; }
   void addConservativeForce(const Configuration&, double*) const override {}
   void addDiscreteGradientForce(const Configuration&, const Configuration&, double*) const override {}
+  StiffnessPiece* stiffnessPiece() override { return this; }
+
+ private:
   void bind(const MatrixPattern& pattern) override;
   void addDerivatives(const Configuration& at, double cD, double cK, Form form, double* values) const override;
 
- private:
   std::vector<double> coefficients_;
   std::vector<int> nodes_;
   int dimension_;

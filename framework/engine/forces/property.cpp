@@ -36,11 +36,11 @@ void Property::writeLowRank(double cK, Eigen::Ref<Eigen::MatrixXd> U, Eigen::Ref
   s[0] = cK * k_;
 }
 
-bool Property::evaluateConstraint(int, const Configuration& at, Constraint& out) const {
+bool Property::evaluate(const Configuration& at, Constraint& out) const {
   if (!(k_ > 0.0)) return false;
   out.kind = Constraint::Kind::Other;
   out.value = value(at.x) - p0_;
-  out.compliance = 1.0 / k_;
+  out.stiffness = k_;
   out.damping = 0.0;
   out.count = static_cast<int>(entries_.size());
   for (std::size_t i = 0; i < entries_.size(); ++i) {
@@ -48,6 +48,16 @@ bool Property::evaluateConstraint(int, const Configuration& at, Constraint& out)
     out.gradient[i] = entries_[i].weight;
   }
   return true;
+}
+
+void Property::project(const Configuration& at, const ConstraintProjection& projection) const {
+  sweepConstraints(
+      0, constraintCount(), [&](int, Constraint& c) { return evaluate(at, c); }, projection);
+}
+
+void Property::evaluateConstraints(const Configuration& at, int first, ConstraintBlocks& blocks) const {
+  sweepConstraints(
+      first, constraintCount(), [&](int, Constraint& c) { return evaluate(at, c); }, blocks);
 }
 
 std::string Property::leftOut() const {

@@ -1,10 +1,14 @@
 #include "engine/forces/spring.h"
 
+#include "engine/forces/distance_projection.h"
 #include "engine/forces/length.h"
 #include "engine/forces/mode.h"
+#include "engine/kernels/kernel_table.h"
+#include "engine/kernels/spring_groups.h"
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <numeric>
 
 namespace muelle::engine {
 
@@ -13,79 +17,93 @@ namespace {
 /// Below this multiple of L0 a length gives a direction but no usable Hessian: L0 / L would near overflow.
 constexpr double shortest = 1e-100;
 
+// Small members are `inline`: in position independent code GCC takes no other function into a loop.
+
 }  // namespace
 
 template <int D>
-Spring<D>::Spring(std::vector<SpringElement> springs, SpringKind kind) : springs_(std::move(springs)), kind_(kind) {
-  for (SpringElement& s : springs_) {
-    if (D == 1) {
-      s.dRelative += s.dProjected;
-      s.dProjected = 0.0;
-    }
-    damped_ = damped_ || s.dRelative > 0.0 || s.dProjected > 0.0;
-    projected_ = projected_ || s.dProjected > 0.0;
+Spring<D>::Spring(const std::vector<SpringElement>& springs, SpringKind kind, const Layout& layout) : kind_(kind) {
+  setLayout(layout);
+  std::vector<kernels::SpringData> data;
+  data.reserve(springs.size());
+  for (const SpringElement& s : springs) {
+    data.push_back({s.a, s.b, s.k, s.L0, s.dRelative, s.dProjected});
+    if (!isSmooth()) userIndex_.push_back(s.userIndex);
+    if (kind_ == SpringKind::Signed) side_.push_back(s.side);
+  }
+  hasMereDampers_ = std::ranges::any_of(springs, [](const SpringElement& s) { return s.k == 0.0; });
+  grouped_ = mayGroup(data.size());
+  if (grouped_) {
+    run_ = kernels::SpringGroups(D, layout.storage / layout.node, data).runs().front();
+  } else {
+    run_.damping = kernels::dampingOf(data.front(), D);
+    for (const kernels::SpringData& s : data) run_.append(s, D, layout.node);
   }
 }
 
 template <int D>
-void Spring<D>::setLayout(const Layout& layout) {
+bool Spring<D>::mayGroup(std::size_t springs) const {
   constexpr std::size_t few = 8;  // springs, below which there is nothing to group
-  ForceBatch::setLayout(layout);
-  groups_.reset();
-  const bool byDistance = std::ranges::all_of(springs_, [](const SpringElement& s) { return s.side == 0.0; });
-  if (kind_ != SpringKind::Plain || !byDistance || springs_.size() < few || layout.isPlanar()) return;
-  std::vector<kernels::SpringData> data;
-  data.reserve(springs_.size());
-  for (const SpringElement& s : springs_) data.push_back({s.a, s.b, s.k, s.L0, s.dRelative, s.dProjected});
-  groups_.emplace(D, layout.storage / layout.node, data);
+  return kind_ == SpringKind::Plain && springs >= few && !layout_.isPlanar();
 }
 
 template <int D>
-auto Spring<D>::difference(const SpringElement& s, const double* values) const -> Vector {
-  return layout_.at<D>(values, s.a) - layout_.at<D>(values, s.b);
+inline auto Spring<D>::difference(const One& s, const double* values) const -> Vector {
+  return layout_.atLane<D>(values, s.a) - layout_.atLane<D>(values, s.b);
 }
 
 template <int D>
-std::size_t Spring<D>::valuesEach() const {
+inline void Spring<D>::addPair(double* f, const One& s, const Vector& onA) const {
+  layout_.addAtLane<D>(f, s.a, onA);
+  layout_.addAtLane<D>(f, s.b, -onA);
+}
+
+template <int D>
+void Spring<D>::addByKernel(kernels::Damping damping, const Configuration& at, double* f) const {
+  kernels::kernels().addSprings[D - 1][static_cast<int>(damping)](run_.arrays(), at.x, at.v, f);
+}
+
+template <int D>
+inline std::size_t Spring<D>::valuesEach() const {
   if (kind_ == SpringKind::Crossing) return D;
   return 1;
 }
 
 template <int D>
-const double* Spring<D>::internal(std::size_t i, const double* z) const {
+inline const double* Spring<D>::internal(std::size_t i, const double* z) const {
   return z + zOffset_ + i * valuesEach();
 }
 
 template <int D>
-double* Spring<D>::internal(std::size_t i, double* z) const {
+inline double* Spring<D>::internal(std::size_t i, double* z) const {
   return z + zOffset_ + i * valuesEach();
 }
 
 template <int D>
-double Spring<D>::sign(std::size_t i, const Vector& d, const double* z) const {
-  if (springs_[i].side != 0.0) return springs_[i].side * d[0] < 0.0 ? -1.0 : 1.0;
+inline double Spring<D>::sign(std::size_t i, const Vector& d, const double* z) const {
+  if (kind_ == SpringKind::Signed) return side_[i] * d[0] < 0.0 ? -1.0 : 1.0;
   if (kind_ != SpringKind::Crossing) return 1.0;
   return Eigen::Map<const Vector>(internal(i, z)).dot(d) < 0.0 ? -1.0 : 1.0;
 }
 
 template <int D>
-bool Spring<D>::acts(std::size_t i, double L, const double* z) const {
+inline bool Spring<D>::acts(std::size_t i, double L, const double* z) const {
   if (kind_ != SpringKind::Unilateral) return true;
   const double own = *internal(i, z);
-  return own == mode::live ? L < springs_[i].L0 : own == mode::closed;
+  return own == mode::live ? L < run_.L0[i] : own == mode::closed;
 }
 
 template <int D>
-double Spring<D>::signedLength(std::size_t i, const Vector& d, const double* z) const {
+inline double Spring<D>::signedLength(std::size_t i, const Vector& d, const double* z) const {
   return sign(i, d, z) * length<D>(d);
 }
 
 template <int D>
-auto Spring<D>::elasticForce(std::size_t i, const Vector& d, const double* z) const -> Vector {
-  const SpringElement& s = springs_[i];
+inline auto Spring<D>::elasticForce(std::size_t i, const Vector& d, const double* z) const -> Vector {
+  const One s = one(i);
   const double L = length<D>(d);
   if (L == 0.0) {
-    if (D == 1 && s.side != 0.0) return Vector::Constant(s.k * s.L0 * s.side);
+    if (kind_ == SpringKind::Signed) return Vector::Constant(s.k * s.L0 * side_[i]);
     // A frozen spring of 1D goes through zero length smoothly: its force there is that of its own side.
     if (D == 1 && kind_ == SpringKind::Crossing) return s.k * s.L0 * Eigen::Map<const Vector>(internal(i, z));
     return Vector::Zero();
@@ -97,7 +115,7 @@ auto Spring<D>::elasticForce(std::size_t i, const Vector& d, const double* z) co
 }
 
 template <int D>
-auto Spring<D>::dampingForce(const SpringElement& s, const Vector& d, const Vector& w) const -> Vector {
+inline auto Spring<D>::dampingForce(const One& s, const Vector& d, const Vector& w) const -> Vector {
   Vector F = -s.dRelative * w;
   if (s.dProjected > 0.0) {
     const double L = length<D>(d);
@@ -111,34 +129,32 @@ auto Spring<D>::dampingForce(const SpringElement& s, const Vector& d, const Vect
 
 template <int D>
 void Spring<D>::addForce(const Configuration& at, double* f) const {
-  if (groups_) return groups_->addForce(at.x, at.v, f);
-  if (!damped_) return addConservativeForce(at, f);
-  for (std::size_t i = 0; i < springs_.size(); ++i) {
-    const SpringElement& s = springs_[i];
+  if (grouped_) return addByKernel(run_.damping, at, f);
+  if (!isDamped()) return addConservativeForce(at, f);
+  for (std::size_t i = 0; i < run_.size(); ++i) {
+    const One s = one(i);
     const Vector d = difference(s, at.x);
     if (kind_ == SpringKind::Unilateral && !acts(i, length<D>(d), at.z)) continue;
     const Vector F = elasticForce(i, d, at.z) + dampingForce(s, d, difference(s, at.v));
-    layout_.add<D>(f, s.a, F);
-    layout_.add<D>(f, s.b, -F);
+    addPair(f, s, F);
   }
 }
 
 template <int D>
 void Spring<D>::addConservativeForce(const Configuration& at, double* f) const {
-  if (groups_ && !damped_) return groups_->addForce(at.x, at.v, f);
-  for (std::size_t i = 0; i < springs_.size(); ++i) {
-    const SpringElement& s = springs_[i];
+  if (grouped_) return addByKernel(kernels::Damping::None, at, f);
+  for (std::size_t i = 0; i < run_.size(); ++i) {
+    const One s = one(i);
     const Vector F = elasticForce(i, difference(s, at.x), at.z);
-    layout_.add<D>(f, s.a, F);
-    layout_.add<D>(f, s.b, -F);
+    addPair(f, s, F);
   }
 }
 
 template <int D>
 double Spring<D>::energy(const Configuration& at) const {
   double sum = 0.0;
-  for (std::size_t i = 0; i < springs_.size(); ++i) {
-    const SpringElement& s = springs_[i];
+  for (std::size_t i = 0; i < run_.size(); ++i) {
+    const One s = one(i);
     const Vector d = difference(s, at.x);
     const double l = signedLength(i, d, at.z);
     if (acts(i, l, at.z)) sum += 0.5 * s.k * (l - s.L0) * (l - s.L0);
@@ -148,8 +164,8 @@ double Spring<D>::energy(const Configuration& at) const {
 
 template <int D>
 void Spring<D>::addDiscreteGradientForce(const Configuration& a, const Configuration& b, double* f) const {
-  for (std::size_t i = 0; i < springs_.size(); ++i) {
-    const SpringElement& s = springs_[i];
+  for (std::size_t i = 0; i < run_.size(); ++i) {
+    const One s = one(i);
     const Vector da = difference(s, a.x), db = difference(s, b.x);
     Vector F = Vector::Zero();
     if (kind_ == SpringKind::Unilateral) {
@@ -161,36 +177,37 @@ void Spring<D>::addDiscreteGradientForce(const Configuration& a, const Configura
       const bool isQuotient = actsA != actsB && std::abs(La - Lb) > 1e-12 * (La + Lb);
       const double slope = isQuotient ? (ea * ea - eb * eb) / (La - Lb) : ea + eb;
       if (La + Lb > 0.0) F = -0.5 * s.k * slope * ((da + db) / (La + Lb));
-    } else if (D == 1 && s.side != 0.0) {
-      F[0] = -s.k * (0.5 * (da[0] + db[0]) - s.side * s.L0);
+    } else if (kind_ == SpringKind::Signed) {
+      F[0] = -s.k * (0.5 * (da[0] + db[0]) - side_[i] * s.L0);
     } else if (D == 1 && kind_ == SpringKind::Crossing && *internal(i, a.z) != 0.0) {
       F[0] = -s.k * (0.5 * (da[0] + db[0]) - *internal(i, a.z) * s.L0);
     } else {
       const double L = length<D>(da) + length<D>(db);
       if (L > 0.0) F = -s.k * ((L - 2.0 * s.L0) / L) * (0.5 * (da + db));
     }
-    layout_.add<D>(f, s.a, F);
-    layout_.add<D>(f, s.b, -F);
+    addPair(f, s, F);
   }
 }
 
 template <int D>
 void Spring<D>::couple(MatrixPattern& pattern) const {
-  for (const SpringElement& s : springs_) pattern.couple(std::array{s.a, s.b});
+  for (std::size_t i = 0; i < run_.size(); ++i) {
+    pattern.couple(std::array{run_.a[i] / layout_.node, run_.b[i] / layout_.node});
+  }
 }
 
 template <int D>
 void Spring<D>::bind(const MatrixPattern& pattern) {
-  slots_.resize(springs_.size());
-  for (std::size_t i = 0; i < springs_.size(); ++i) {
-    const int a = springs_[i].a, b = springs_[i].b;
+  slots_.resize(run_.size());
+  for (std::size_t i = 0; i < run_.size(); ++i) {
+    const int a = run_.a[i] / layout_.node, b = run_.b[i] / layout_.node;
     slots_[i] = {pattern.slot(a, a), pattern.slot(b, b), pattern.slot(a, b), pattern.slot(b, a)};
   }
 }
 
 template <int D>
-auto Spring<D>::stiffness(std::size_t i, const Vector& d, const double* z, Form form) const -> Block {
-  const SpringElement& s = springs_[i];
+inline auto Spring<D>::stiffness(std::size_t i, const Vector& d, const double* z, Form form) const -> Block {
+  const One s = one(i);
   const double L = length<D>(d);
   if (L == 0.0 || L < shortest * s.L0) return s.k * Block::Identity();
   const double l = sign(i, d, z) * L;
@@ -201,8 +218,8 @@ auto Spring<D>::stiffness(std::size_t i, const Vector& d, const double* z, Form 
 
 template <int D>
 void Spring<D>::addDerivatives(const Configuration& at, double cD, double cK, Form form, double* values) const {
-  for (std::size_t i = 0; i < springs_.size(); ++i) {
-    const SpringElement& s = springs_[i];
+  for (std::size_t i = 0; i < run_.size(); ++i) {
+    const One s = one(i);
     const Vector d = difference(s, at.x);
     const double L = length<D>(d);
     if (!acts(i, L, at.z)) continue;
@@ -226,62 +243,98 @@ void Spring<D>::addDerivatives(const Configuration& at, double cD, double cK, Fo
 }
 
 template <int D>
-bool Spring<D>::evaluateConstraint(int j, const Configuration& at, Constraint& out) const {
-  const auto i = static_cast<std::size_t>(j);
-  const SpringElement& s = springs_[i];
+inline bool Spring<D>::evaluate(std::size_t i, const Configuration& at, Constraint& out) const {
+  const One s = one(i);
   const Vector d = difference(s, at.x);
   const double L = length<D>(d);
   if (s.k == 0.0 || L == 0.0 || !acts(i, L, at.z)) return false;
-  const Vector n = d / (sign(i, d, at.z) * L);
+  const double l = sign(i, d, at.z) * L;
+  const Vector n = d / l;
   out.kind = Constraint::Kind::Distance;
-  out.count = 0;
-  out.value = sign(i, d, at.z) * L - s.L0;
-  out.compliance = 1.0 / s.k;
+  out.count = 2 * D;
+  out.value = l - s.L0;
+  out.stiffness = s.k;
   out.damping = s.dProjected;
-  for (const auto& [node, side] : {std::pair(s.a, 1.0), std::pair(s.b, -1.0)}) {
-    for (int c = 0; c < D; ++c) {
-      out.lane[static_cast<std::size_t>(out.count)] = layout_.lane(node, c);
-      out.gradient[static_cast<std::size_t>(out.count)] = side * n[c];
-      ++out.count;
-    }
+  for (std::size_t c = 0; c < D; ++c) {
+    out.lane[c] = s.a + static_cast<int>(c) * layout_.component;
+    out.lane[D + c] = s.b + static_cast<int>(c) * layout_.component;
+    out.gradient[c] = n[static_cast<int>(c)];
+    out.gradient[D + c] = -n[static_cast<int>(c)];
   }
   return true;
 }
 
+/// The numbers of the springs along the nodes, in which order a sweep goes: what one projection moves, the next takes
+/// on along a chain, and not where it is in a group of the kernels.
+template <int D>
+const std::vector<int>& Spring<D>::alongNodes() const {
+  if (alongNodes_.empty()) {
+    alongNodes_.resize(run_.size());
+    std::iota(alongNodes_.begin(), alongNodes_.end(), 0);
+    const auto ends = [this](int i) {
+      return std::minmax(run_.a[static_cast<std::size_t>(i)], run_.b[static_cast<std::size_t>(i)]);
+    };
+    if (grouped_) std::ranges::sort(alongNodes_, [&](int i, int j) { return ends(i) < ends(j); });
+  }
+  return alongNodes_;
+}
+
+template <int D>
+void Spring<D>::project(const Configuration& at, const ConstraintProjection& projection) const {
+  const ConstraintProjection local = projection;  // nothing else refers to it: it stays in registers
+  for (const int number : alongNodes()) {
+    const auto i = static_cast<std::size_t>(number);
+    const One s = one(i);
+    const Vector d = difference(s, at.x);
+    const double L = length<D>(d);
+    if (s.k == 0.0 || L == 0.0 || !acts(i, L, at.z)) continue;
+    const double l = sign(i, d, at.z) * L;
+    const Vector n = d / l;
+    projectDistance<D>(local, s.a, s.b, layout_.component, n.data(), l - s.L0, s.k, s.dProjected);
+  }
+}
+
+template <int D>
+void Spring<D>::evaluateConstraints(const Configuration& at, int first, ConstraintBlocks& blocks) const {
+  const std::vector<int>& along = alongNodes();
+  const auto evaluateAt = [&](int j, Constraint& c) {
+    return evaluate(static_cast<std::size_t>(along[static_cast<std::size_t>(j)]), at, c);
+  };
+  sweepConstraints(first, constraintCount(), evaluateAt, blocks);
+}
+
 template <int D>
 void Spring<D>::addExternalForce(const Configuration& at, double* f) const {
-  if (!damped_) return;
-  for (std::size_t i = 0; i < springs_.size(); ++i) {
-    const SpringElement& s = springs_[i];
+  if (run_.dRelative.empty() && !hasMereDampers_) return;
+  for (std::size_t i = 0; i < run_.size(); ++i) {
+    const One s = one(i);
     const Vector d = difference(s, at.x);
     const bool constrained = s.k > 0.0 && length<D>(d) > 0.0;
     if (!acts(i, length<D>(d), at.z)) continue;
     const Vector w = difference(s, at.v);
     // The projected part belongs to the constraint wherever there is one.
     const Vector F = constrained ? Vector(-s.dRelative * w) : dampingForce(s, d, w);
-    layout_.add<D>(f, s.a, F);
-    layout_.add<D>(f, s.b, -F);
+    addPair(f, s, F);
   }
 }
 
 template <int D>
 int Spring<D>::internalSize() const {
-  if (kind_ == SpringKind::Plain) return 0;
-  return static_cast<int>(springs_.size() * valuesEach());
+  return static_cast<int>(run_.size() * valuesEach());
 }
 
 template <int D>
 int Spring<D>::guardCount() const {
-  return kind_ == SpringKind::Plain ? 0 : static_cast<int>(springs_.size());
+  return static_cast<int>(run_.size());
 }
 
 template <int D>
 void Spring<D>::guards(const Configuration& at, double* g) const {
-  if (kind_ == SpringKind::Plain) return;
-  for (std::size_t i = 0; i < springs_.size(); ++i) {
-    const Vector d = difference(springs_[i], at.x);
+  for (std::size_t i = 0; i < run_.size(); ++i) {
+    const One s = one(i);
+    const Vector d = difference(s, at.x);
     if (kind_ == SpringKind::Unilateral) {
-      g[i] = length<D>(d) - springs_[i].L0;
+      g[i] = length<D>(d) - run_.L0[i];
     } else {
       const Eigen::Map<const Vector> n(internal(i, at.z));
       g[i] = n.isZero(0.0) ? 1.0 : n.dot(d);
@@ -291,7 +344,7 @@ void Spring<D>::guards(const Configuration& at, double* g) const {
 
 template <int D>
 std::string Spring<D>::guardName(int i) const {
-  const int user = springs_[static_cast<std::size_t>(i)].userIndex;
+  const int user = userIndex_[static_cast<std::size_t>(i)];
   if (kind_ == SpringKind::Unilateral) return fmt::format("spring {} reaches its rest length", user);
   return fmt::format("spring {} passes through zero length", user);
 }
@@ -299,13 +352,13 @@ std::string Spring<D>::guardName(int i) const {
 template <int D>
 bool Spring<D>::commit(const Configuration& at, bool frozen, double* z) const {
   bool changed = false;
-  if (kind_ == SpringKind::Plain) return changed;
-  for (std::size_t i = 0; i < springs_.size(); ++i) {
-    const Vector d = difference(springs_[i], at.x), w = difference(springs_[i], at.v);
+  for (std::size_t i = 0; i < run_.size(); ++i) {
+    const One s = one(i);
+    const Vector d = difference(s, at.x), w = difference(s, at.v);
     const double L = length<D>(d);
     double* own = internal(i, z);
     if (kind_ == SpringKind::Unilateral) {
-      const double gap = L - springs_[i].L0, rate = w.dot(d);
+      const double gap = L - run_.L0[i], rate = w.dot(d);
       const double old = *own;
       if (!frozen) {
         *own = mode::live;
@@ -338,24 +391,24 @@ std::string Spring<D>::eventName(int guard, const double* z) const {
   const auto i = static_cast<std::size_t>(guard);
   if (kind_ == SpringKind::Crossing) {
     // In 1D there is no way around the anchor, and a textbook's spring would go on as it was.
-    const char* then =
-        D == 1 && springs_[i].L0 > 0.0 ? " and pushes to the other side (signed = true: it does not)" : "";
+    const char* then = D == 1 && run_.L0[i] > 0.0 ? " and pushes to the other side (signed = true: it does not)" : "";
     return guardName(guard) + then;
   }
   const bool closed = *internal(i, z) == mode::closed;
-  return fmt::format("spring {} {} at its rest length", springs_[i].userIndex, closed ? "begins to push" : "lets go");
+  return fmt::format("spring {} {} at its rest length", userIndex_[i], closed ? "begins to push" : "lets go");
 }
 
 template <int D>
 void Spring<D>::close(const Configuration& /*at*/, double* z) const {
   if (kind_ != SpringKind::Unilateral) return;
-  for (std::size_t i = 0; i < springs_.size(); ++i) *internal(i, z) = mode::closed;
+  for (std::size_t i = 0; i < run_.size(); ++i) *internal(i, z) = mode::closed;
 }
 
 template <int D>
 void Spring<D>::cross(int guard, const Configuration& at, double* z) const {
   const auto i = static_cast<std::size_t>(guard);
-  const Vector d = difference(springs_[i], at.x), w = difference(springs_[i], at.v);
+  const One s = one(i);
+  const Vector d = difference(s, at.x), w = difference(s, at.v);
   double* own = internal(i, z);
   if (kind_ == SpringKind::Unilateral) {
     const double rate = w.dot(d);

@@ -73,37 +73,22 @@ SpringGroups::SpringGroups(int dimension, int nodes, std::span<const SpringData>
     };
     std::stable_sort(chosen.begin(), chosen.end(), [&](int i, int j) { return ends(i) < ends(j); });
     grouper.group(chosen);
-    Batch& batch = batches_.emplace_back();
-    batch.damping = static_cast<Damping>(form);
-    for (const int i : chosen) append(batch, springs[static_cast<std::size_t>(i)]);
+    SpringRun& run = runs_.emplace_back();
+    run.damping = static_cast<Damping>(form);
+    for (const int i : chosen)
+      run.append(springs[static_cast<std::size_t>(i)], dimension, dimension == 3 ? 4 : dimension);
     order_.insert(order_.end(), chosen.begin(), chosen.end());
   }
 }
 
-void SpringGroups::append(Batch& batch, const SpringData& spring) const {
-  const int lanes = dimension_ == 3 ? 4 : dimension_;
-  batch.a.push_back(lanes * spring.a);
-  batch.b.push_back(lanes * spring.b);
-  batch.k.push_back(spring.k);
-  batch.L0.push_back(spring.L0);
-  if (batch.damping == Damping::Relative || batch.damping == Damping::Both) {
-    batch.dRelative.push_back(relativeDampingOf(spring, dimension_));
-  }
-  if (batch.damping == Damping::Projected || batch.damping == Damping::Both) {
-    batch.dProjected.push_back(spring.dProjected);
-  }
-}
-
 void SpringGroups::addForce(const double* x, const double* v, double* f) const {
-  for (const Batch& batch : batches_) {
-    const SpringArrays arrays = {batch.a.size(),  batch.a.data(),         batch.b.data(),         batch.k.data(),
-                                 batch.L0.data(), batch.dRelative.data(), batch.dProjected.data()};
-    kernels().addSprings[dimension_ - 1][static_cast<int>(batch.damping)](arrays, x, v, f);
+  for (const SpringRun& run : runs_) {
+    kernels().addSprings[dimension_ - 1][static_cast<int>(run.damping)](run.arrays(), x, v, f);
   }
 }
 
 bool SpringGroups::usesVelocity() const {
-  return std::any_of(batches_.begin(), batches_.end(), [](const Batch& b) { return b.damping != Damping::None; });
+  return std::any_of(runs_.begin(), runs_.end(), [](const SpringRun& run) { return run.damping != Damping::None; });
 }
 
 }  // namespace muelle::engine::kernels

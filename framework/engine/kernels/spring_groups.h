@@ -1,12 +1,12 @@
 #pragma once
-#include "engine/kernels/spring_data.h"
+#include "engine/kernels/spring_run.h"
 
 #include <span>
 #include <vector>
 
 namespace muelle::engine::kernels {
 
-/// Springs of any topology, arranged for the kernels: one batch a damping form, in arrays, in an order in which each
+/// Springs of any topology, arranged for the kernels: one run a damping form, in an order in which each
 /// eight have no node in common as far as that can be. Nodes are padded: node i has the lanes 4i to 4i + 3 as x y z 0
 /// in 3D, 2i and 2i + 1 in 2D, i in 1D. The arrays must begin at a multiple of 16 bytes, as std::vector's do; those at
 /// a multiple of 32 are read fastest.
@@ -25,16 +25,12 @@ class SpringGroups {
   const std::vector<int>& order() const { return order_; }
   bool usesVelocity() const;
 
- private:
-  struct Batch {
-    Damping damping = Damping::None;
-    std::vector<int> a, b;
-    std::vector<double> k, L0, dRelative, dProjected;
-  };
-  void append(Batch& batch, const SpringData& spring) const;
+  /// The springs as they stand, a run for each damping form that there is, in the order of the forms.
+  const std::vector<SpringRun>& runs() const { return runs_; }
 
+ private:
   int dimension_;
-  std::vector<Batch> batches_;
+  std::vector<SpringRun> runs_;
   std::vector<int> order_;
 };
 

@@ -13,9 +13,11 @@
 #include "engine/model/damping.h"
 #include "engine/model/mass_spring_system.h"
 #include "engine/model/numbering.h"
+#include "engine/model/parts.h"
 #include "engine/model/validate.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 namespace muelle::engine {
@@ -141,24 +143,31 @@ double sideOf(const Model& model, const ModelSpring& spring) {
   return at(spring.a) < at(spring.b) ? -1.0 : 1.0;
 }
 
+SpringKind kindOf(const Model& model, const ModelSpring& spring) {
+  if (spring.unilateral) return SpringKind::Unilateral;
+  if (spring.isSigned) return SpringKind::Signed;
+  return isPlain(model, spring) ? SpringKind::Plain : SpringKind::Crossing;
+}
+
+/// A batch for each kind and damping form that there is.
 template <int D>
 void addSprings(Builder& builder) {
-  std::vector<SpringElement> plain, crossing, unilateral;
+  std::map<std::pair<SpringKind, kernels::Damping>, std::vector<SpringElement>> all;
   for (std::size_t i = 0; i < builder.model.springs.size(); ++i) {
     const ModelSpring& s = builder.model.springs[i];
     if (s.rod || !builder.anyFree({s.a, s.b})) continue;
-    auto& kind = s.unilateral ? unilateral : isPlain(builder.model, s) || s.isSigned ? plain : crossing;
-    kind.push_back({builder.built(s.a), builder.built(s.b), s.k, s.L0, s.dRelative, projectedDamping(builder.model, s),
-                    static_cast<int>(i), s.isSigned ? sideOf(builder.model, s) : 0.0});
+    const double dProjected = projectedDamping(builder.model, s);
+    const kernels::Damping form = kernels::dampingOf({s.a, s.b, s.k, s.L0, s.dRelative, dProjected}, D);
+    all[{kindOf(builder.model, s), form}].push_back({builder.built(s.a), builder.built(s.b), s.k, s.L0, s.dRelative,
+                                                     dProjected, static_cast<int>(i),
+                                                     s.isSigned ? sideOf(builder.model, s) : 0.0});
   }
-  for (const auto& [springs, kind] : {std::pair(&plain, SpringKind::Plain), std::pair(&crossing, SpringKind::Crossing),
-                                      std::pair(&unilateral, SpringKind::Unilateral)}) {
-    if (springs->empty()) continue;
+  for (auto& [kindAndForm, springs] : all) {
     // In the order of memory; no two springs share both ends, so the order is the same on every machine.
-    std::sort(springs->begin(), springs->end(), [](const SpringElement& p, const SpringElement& q) {
+    std::sort(springs.begin(), springs.end(), [](const SpringElement& p, const SpringElement& q) {
       return std::pair(std::min(p.a, p.b), std::max(p.a, p.b)) < std::pair(std::min(q.a, q.b), std::max(q.a, q.b));
     });
-    builder.batches.push_back(std::make_unique<Spring<D>>(std::move(*springs), kind));
+    builder.batches.push_back(std::make_unique<Spring<D>>(springs, kindAndForm.first, builder.numbering.layout));
   }
 }
 
@@ -343,7 +352,8 @@ std::unique_ptr<ModelSystem> buildIn(const Model& model) {
 
 }  // namespace
 
-std::unique_ptr<ModelSystem> build(const Model& model) {
+std::unique_ptr<ModelSystem> build(const Model& model, const std::vector<std::string>& without) {
+  if (!without.empty()) return build(withoutParts(model, without));
   validate(model);
   switch (model.dimension) {
     case 1:

@@ -4,10 +4,9 @@ namespace muelle::engine {
 
 void MassSpringSystem::bind() const {
   pattern_.emplace(dimension_, numbering_.rank);
-  for (const auto& batch : batches_) batch->couple(*pattern_);
+  for (const StiffnessPiece* piece : stiffness_) piece->couple(*pattern_);
   pattern_->finish();
-  for (const auto& batch : batches_) batch->bind(*pattern_);
-  if (drag_) drag_->bind(*pattern_);
+  for (StiffnessPiece* piece : stiffness_) piece->bind(*pattern_);
 }
 
 void MassSpringSystem::assemble(double cM, double cD, double cK, double t, In x, In v, In z, Form form,
@@ -17,11 +16,10 @@ void MassSpringSystem::assemble(double cM, double cD, double cK, double t, In x,
   const Configuration at = configuration(t, x, v, z);
   double* values = J.sparse.valuePtr();
   J.symmetric = true;
-  for (const auto& batch : batches_) {
-    batch->addDerivatives(at, cD, cK, form, values);
-    if (form == Form::Exact && batch->isNotSymmetric()) J.symmetric = false;
+  for (const StiffnessPiece* piece : stiffness_) {
+    piece->addDerivatives(at, cD, cK, form, values);
+    if (form == Form::Exact && piece->isNotSymmetric()) J.symmetric = false;
   }
-  if (drag_) drag_->addDerivatives(at, cD, cK, form, values);
   if (cM != 0.0) {
     for (const int node : numbering_.freeNodes) {
       const BlockSlot slot = pattern_->slot(node, node);
@@ -36,14 +34,13 @@ void MassSpringSystem::assemble(double cM, double cD, double cK, double t, In x,
 /// After the batches' derivatives, which the columns are of.
 void MassSpringSystem::assembleLowRank(double cK, LowRank& lowRank) const {
   int columns = 0;
-  for (const auto& batch : batches_) columns += batch->lowRankColumns();
+  for (const LowRankPiece* piece : lowRank_) columns += piece->columns();
   lowRank.U.resize(columns == 0 ? 0 : size_, columns);
   lowRank.s.resize(columns);
   int column = 0;
-  for (const auto& batch : batches_) {
-    const int own = batch->lowRankColumns();
-    if (own == 0) continue;
-    batch->writeLowRank(cK, lowRank.U.middleCols(column, own), lowRank.s.segment(column, own));
+  for (const LowRankPiece* piece : lowRank_) {
+    const int own = piece->columns();
+    piece->writeLowRank(cK, lowRank.U.middleCols(column, own), lowRank.s.segment(column, own));
     column += own;
   }
 }

@@ -16,7 +16,7 @@ double MassSpringSystem::totalEnergy(const State& state) const {
   const StateModes modes(state, internalSize_);
   double sum = kineticEnergy(state) + energy(state.t, state.x, modes.z);
   const Configuration at = configuration(state.t, state.x, zeroVelocity_, modes.z);
-  for (const auto& batch : batches_) sum += state.z.empty() ? 0.0 : batch->anchorEnergy(at);
+  for (const FrictionPiece* piece : friction_) sum += state.z.empty() ? 0.0 : piece->anchorEnergy(at);
   return sum;
 }
 

@@ -22,7 +22,7 @@ MassSpringSystem::MassSpringSystem(Model model, Numbering numbering, std::vector
       onGrid_(onGrid) {
   layOut();
   rods_ = rodsOfModel();
-  countBatches();
+  collectPieces();
 }
 
 /// Masses by lane, the lanes of the unknowns, and which nodes are moved.
@@ -45,17 +45,28 @@ void MassSpringSystem::layOut() {
   }
 }
 
-/// Gives each batch its internal variables, and counts these, guards and constraints.
-void MassSpringSystem::countBatches() {
-  constraintStart_.push_back(0);
+/// Lists the batches' pieces, and gives those that switch their internal variables.
+void MassSpringSystem::collectPieces() {
+  const auto add = [](auto& list, auto* piece) {
+    if (piece != nullptr) list.push_back(piece);
+  };
   std::vector<double> times;
   for (const auto& batch : batches_) {
-    batch->setInternalOffset(internalSize_);
-    internalSize_ += batch->internalSize();
-    guardCount_ += batch->guardCount();
-    constraintStart_.push_back(constraintStart_.back() + batch->constraintCount());
-    batch->declaredTimes(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), times);
+    add(stiffness_, batch->stiffnessPiece());
+    add(lowRank_, batch->lowRankPiece());
+    add(constraints_, batch->constraintPiece());
+    add(friction_, batch->frictionPiece());
+    SwitchingPiece* switching = batch->switchingPiece();
+    if (switching == nullptr) continue;
+    switching->setInternalOffset(internalSize_);
+    internalSize_ += switching->internalSize();
+    guardCount_ += switching->guardCount();
+    switching_.push_back(switching);
+    if (switching->guardCount() > 0) guarded_.push_back(switching);
+    if (switching->isThin()) thin_.push_back(switching);
+    switching->declaredTimes(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), times);
   }
+  if (drag_) stiffness_.push_back(drag_->stiffnessPiece());
   motionSegments_.setInternalOffset(internalSize_);
   internalSize_ += motionSegments_.internalSize();
   switches_ = internalSize_ > 0 || guardCount_ > 0 || !times.empty();
@@ -163,13 +174,6 @@ void MassSpringSystem::discreteGradientForce(double t, In xa, In xb, In z, Out f
   const Configuration a = configuration(t, xa, zeroVelocity_, z), b = configuration(t, xb, zeroVelocity_, z);
   clear(f);
   for (const auto& batch : batches_) batch->addDiscreteGradientForce(a, b, f.data());
-}
-
-void MassSpringSystem::externalForce(double t, In x, In v, In z, Out f) const {
-  const Configuration at = configuration(t, x, v, z);
-  clear(f);
-  for (const auto& batch : batches_) batch->addExternalForce(at, f.data());
-  if (drag_) drag_->addForce(at, f.data());
 }
 
 }  // namespace muelle::engine

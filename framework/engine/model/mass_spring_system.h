@@ -86,9 +86,10 @@ class MassSpringSystem final : public ModelSystem,
   // Linearisation
   void assemble(double cM, double cD, double cK, double t, In x, In v, In z, Form form, SystemMatrix& J) const override;
   // Constraints
-  int count() const override { return static_cast<int>(constraintStart_.back()); }
+  int count() const override;
   bool onlyDistances() const override;
-  bool evaluate(int j, double t, In x, In z, Constraint& out) const override;
+  void evaluate(double t, In x, In z, const ConstraintBlocks::Take& take) const override;
+  void project(double t, In z, const ConstraintProjection& projection) const override;
   void externalForce(double t, In x, In v, In z, Out f) const override;
   std::string leftOut() const override;
   // Switching
@@ -113,13 +114,14 @@ class MassSpringSystem final : public ModelSystem,
   }
   void layOut();
   std::vector<Rod> rodsOfModel() const;
-  void countBatches();
+  void collectPieces();
   void requireEveryLane(Out f) const;
   void clear(Out f) const;
   void accelerate(const Configuration& at, In x, In v, bool withDrag, Out a) const;
   int componentOf(int axis) const;
   void bind() const;
   void assembleLowRank(double cK, LowRank& lowRank) const;
+  bool wantsBalance() const;
   bool balanceFriction(const Configuration& at, State& state) const;
   Vec3 vectorOf(const std::vector<double>& values, int node) const;
 
@@ -139,7 +141,13 @@ class MassSpringSystem final : public ModelSystem,
   std::unique_ptr<NodeDrag> drag_;
   std::optional<GridForce> grid_;
   std::size_t onGrid_;  ///< how many of the batches, from the first on, grid_ stands for
-  std::vector<int> constraintStart_;
+  // The pieces that the batches have, in their order, so that no batch is asked for what it has not.
+  std::vector<StiffnessPiece*> stiffness_;  ///< that of the drag is the last
+  std::vector<const LowRankPiece*> lowRank_;
+  std::vector<const ConstraintPiece*> constraints_;
+  std::vector<const SwitchingPiece*> switching_, guarded_,
+      thin_;  ///< all; those with guards; those with thin obstacles
+  std::vector<const FrictionPiece*> friction_;
   std::vector<Rod> rods_;
   mutable std::vector<double> scratch_;
   mutable std::optional<MatrixPattern> pattern_;  ///< laid out when first asked for: explicit methods never do

@@ -33,6 +33,9 @@ struct ModelNode {
 /// Whether nothing holds or moves the node.
 inline bool isFree(const ModelNode& node) { return !node.pinned && node.motion < 0; }
 
+/// The part of an element that names none: all such of its kind are one ("spring", "angle"; see partsOf()).
+inline constexpr int partOfItsKind = -1;
+
 /// F_a = -k (L - L0) n - dRelative (va - vb) - dProjected ((va - vb) . n) n, n = (xa - xb) / L.
 struct ModelSpring {
   int a = 0, b = 1;
@@ -45,7 +48,8 @@ struct ModelSpring {
   /// 1D only: its length is signed, xb - xa from the side on which it starts, so that it goes through its anchor as a
   /// textbook's spring does (F_a = k ((xb - xa) - L0) where b starts above a) in place of pushing to the other side.
   bool isSigned = false;
-  double dampingRatio = 0;  ///< above 0 in place of dProjected, which then is 0: see projectedDamping()
+  int part = partOfItsKind;  ///< index into Model::parts
+  double dampingRatio = 0;   ///< above 0 in place of dProjected, which then is 0: see projectedDamping()
 };
 
 /// Three nodes a - b - c that resist bending at b: E = k (theta - theta0)^2 / 2, theta the turning angle at b, 0 when
@@ -54,6 +58,7 @@ struct ModelAngle {
   int a = 0, b = 1, c = 2;
   double k = 1.0;  ///< [J/rad^2]
   double theta0 = 0.0;
+  int part = partOfItsKind;  ///< index into Model::parts
 };
 
 /// Two triangles (a, b, c) and (b, a, d) with the common edge ab: E = k (theta - theta0)^2 / 2, theta the signed angle
@@ -62,6 +67,7 @@ struct ModelDihedral {
   int a = 0, b = 1, c = 2, d = 3;
   double k = 1.0;  ///< [J/rad^2]
   double theta0 = 0.0;
+  int part = partOfItsKind;  ///< index into Model::parts
 };
 
 /// E = k (A - A0)^2 / 2 with the signed area of abc: in 2D positive when anticlockwise. In 3D the area is measured
@@ -71,13 +77,15 @@ struct ModelArea {
   double k = 1.0;               ///< [N/m^3]
   double A0 = 1.0;              ///< [m^2]
   Vec3 normal = Vec3::UnitZ();  ///< 3D only
+  int part = partOfItsKind;     ///< index into Model::parts
 };
 
 /// E = k (V - V0)^2 / 2 with the signed volume of the tetrahedron abcd, (b-a) . ((c-a) x (d-a)) / 6. 3D only.
 struct ModelVolume {
   int a = 0, b = 1, c = 2, d = 3;
-  double k = 1.0;   ///< [N/m^5]
-  double V0 = 1.0;  ///< [m^3]
+  double k = 1.0;            ///< [N/m^5]
+  double V0 = 1.0;           ///< [m^3]
+  int part = partOfItsKind;  ///< index into Model::parts
 };
 
 /// A property of many nodes: E = k (p - p0)^2 / 2, p = sum_i weight_i . x_i. The mean height of n nodes has weight
@@ -87,6 +95,7 @@ struct ModelProperty {
   std::vector<Vec3> weights;
   double k = 1.0;
   double p0 = 0.0;
+  int part = partOfItsKind;  ///< index into Model::parts
 };
 
 /// A force on nodes that depends on time alone, constant between its declared times, or smooth.
@@ -100,6 +109,7 @@ struct ModelExternalForce {
   /// It may jump at other times too, which nobody knows: an adaptive method then wants a largest step, or it could pass
   /// over a pulse without seeing it.
   bool mayJump = false;
+  int part = partOfItsKind;  ///< index into Model::parts
 };
 
 /// What an obstacle does to a node that goes through its surface: a penalty force k depth along the outward normal n,
@@ -140,7 +150,8 @@ struct Model {
   std::vector<ModelExternalForce> externalForces;
   std::vector<Motion> motions;
   std::vector<Obstacle> obstacles;
-  Vec3 gravity = Vec3::Zero();  ///< acceleration [m/s^2]; (0, 0, -9.81) in 3D, and in 2D with plane {0, 2}
+  std::vector<std::string> parts;  ///< names that elements refer to by index, each once: "cloth.bend"
+  Vec3 gravity = Vec3::Zero();     ///< acceleration [m/s^2]; (0, 0, -9.81) in 3D, and in 2D with plane {0, 2}
   /// Follow springs through zero length (an event): a spring of 1D always, in 2D and 3D only when asked for.
   bool springsCross = false;
   bool renumber = true;  ///< reverse Cuthill-McKee inside; results keep the user's numbering

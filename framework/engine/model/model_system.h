@@ -3,6 +3,8 @@
 #include "engine/model/model.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace muelle::engine {
 
@@ -39,6 +41,8 @@ class ModelSystem : public DynamicalSystem {
 ///
 /// Throws std::invalid_argument that names the offending item and what is wrong with it: "spring 3 joins node 4 with
 /// itself", "node 7: mass is nan; a mass is positive and finite".
-std::unique_ptr<ModelSystem> build(const Model& model);
+///
+/// \param without names of parts that are left out, as if the model did not have them: see withoutParts()
+std::unique_ptr<ModelSystem> build(const Model& model, const std::vector<std::string>& without = {});
 
 }  // namespace muelle::engine

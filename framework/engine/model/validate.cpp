@@ -63,6 +63,11 @@ void requireNodes(const Model& model, const std::string& item, std::span<const i
   }
 }
 
+void requirePart(const Model& model, const std::string& item, int part) {
+  if (part == partOfItsKind || (part >= 0 && part < std::ssize(model.parts))) return;
+  reject(item, fmt::format("there is no part {}; the model has {}", part, counted(std::ssize(model.parts), "part")));
+}
+
 void requireDifferent(const std::string& item, std::span<const int> nodes) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -149,6 +154,7 @@ void checkSprings(const Model& model) {
     if (spring.dampingRatio > 0.0 && spring.dProjected > 0.0) {
       reject(item, "has a damping ratio and a projected damping; give one of them");
     }
+    requirePart(model, item, spring.part);
     if (spring.isSigned) checkSigned(model, item, spring);
     ends.push_back({std::min(spring.a, spring.b), std::max(spring.a, spring.b), static_cast<int>(i)});
   }
@@ -165,22 +171,24 @@ void checkSprings(const Model& model) {
 
 void checkElements(const Model& model) {
   for (std::size_t i = 0; i < model.angles.size(); ++i) {
-    const auto& [a, b, c, k, theta0] = model.angles[i];
+    const auto& [a, b, c, k, theta0, part] = model.angles[i];
     const std::string item = fmt::format("angle {}", i);
     if (model.dimension == 1) reject(item, "a 1D scene has no angles");
     requireNodes(model, item, std::array{a, b, c});
     requireDifferent(item, std::array{a, b, c});
     requireStiffness(item, "stiffness k", k);
     requireFinite(item, "rest angle", theta0);
+    requirePart(model, item, part);
   }
   for (std::size_t i = 0; i < model.dihedrals.size(); ++i) {
-    const auto& [a, b, c, d, k, theta0] = model.dihedrals[i];
+    const auto& [a, b, c, d, k, theta0, part] = model.dihedrals[i];
     const std::string item = fmt::format("dihedral {}", i);
     if (model.dimension != 3) reject(item, "dihedral angles need a 3D scene");
     requireNodes(model, item, std::array{a, b, c, d});
     requireDifferent(item, std::array{a, b, c, d});
     requireStiffness(item, "stiffness k", k);
     requireFinite(item, "rest angle", theta0);
+    requirePart(model, item, part);
   }
   for (std::size_t i = 0; i < model.areas.size(); ++i) {
     const ModelArea& area = model.areas[i];
@@ -190,16 +198,18 @@ void checkElements(const Model& model) {
     requireDifferent(item, std::array{area.a, area.b, area.c});
     requireStiffness(item, "stiffness k", area.k);
     requireFinite(item, "rest area", area.A0);
+    requirePart(model, item, area.part);
     if (model.dimension == 3) requireUnit(item, "normal", area.normal);
   }
   for (std::size_t i = 0; i < model.volumes.size(); ++i) {
-    const auto& [a, b, c, d, k, V0] = model.volumes[i];
+    const auto& [a, b, c, d, k, V0, part] = model.volumes[i];
     const std::string item = fmt::format("volume {}", i);
     if (model.dimension != 3) reject(item, "volumes need a 3D scene");
     requireNodes(model, item, std::array{a, b, c, d});
     requireDifferent(item, std::array{a, b, c, d});
     requireStiffness(item, "stiffness k", k);
     requireFinite(item, "rest volume", V0);
+    requirePart(model, item, part);
   }
 }
 
@@ -214,6 +224,7 @@ void checkProperties(const Model& model) {
     requireNodes(model, item, property.nodes);
     requireStiffness(item, "stiffness k", property.k);
     requireFinite(item, "wanted value", property.p0);
+    requirePart(model, item, property.part);
     for (const Vec3& weight : property.weights) requireFinite(item, "a weight", weight);
   }
 }
@@ -224,6 +235,7 @@ void checkExternalForces(const Model& model) {
     const std::string item = fmt::format("external force {}", i);
     requireNodes(model, item, force.nodes);
     if (!force.force) reject(item, "has no function");
+    requirePart(model, item, force.part);
     for (const double time : force.times) requireFinite(item, "a declared time", time);
     if (!std::is_sorted(force.times.begin(), force.times.end())) reject(item, "declared times must ascend");
   }

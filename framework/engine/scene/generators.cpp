@@ -20,11 +20,12 @@ constexpr std::size_t mostNodes = 2'000'000;  // of a model
 const Vec3& positionOf(const Model& model, int node) { return model.nodes[static_cast<std::size_t>(node)].x; }
 
 /// The nodes of a new part.
-Part beginPart(Model& model, std::size_t count) {
+Part beginPart(Model& model, const std::string& name, std::size_t count) {
   if (model.nodes.size() + count > mostNodes) {
     throw std::invalid_argument(fmt::format("{} nodes; at most {} are built", model.nodes.size() + count, mostNodes));
   }
   Part part;
+  part.name = name;
   part.firstNode = static_cast<int>(model.nodes.size());
   part.nodeCount = static_cast<int>(count);
   model.nodes.reserve(model.nodes.size() + count);
@@ -37,9 +38,12 @@ void addNode(Model& model, const Vec3& x) {
   model.nodes.push_back(node);
 }
 
+int partOf(Model& model, const Part& part, const char* what) { return partNamed(model, part.name + "." + what); }
+
 /// A spring at rest where its nodes are.
-void connect(Model& model, int a, int b, const SpringMaterial& material) {
+void connect(Model& model, int a, int b, const SpringMaterial& material, int part) {
   ModelSpring spring;
+  spring.part = part;
   spring.a = a;
   spring.b = b;
   spring.rod = material.rod;
@@ -63,8 +67,9 @@ void requireSpace(const Model& model, const char* what) {
 }
 
 /// The triangle's area where it is, as the model measures it: signed in the plane, along its normal in space.
-void addArea(Model& model, const Triangle& t, double modulus) {
+void addArea(Model& model, const Triangle& t, double modulus, int part) {
   ModelArea area;
+  area.part = part;
   area.a = t[0];
   area.b = t[1];
   area.c = t[2];
@@ -81,8 +86,9 @@ void addArea(Model& model, const Triangle& t, double modulus) {
   model.areas.push_back(area);
 }
 
-void addVolume(Model& model, const std::array<int, 4>& t, double modulus) {
+void addVolume(Model& model, const std::array<int, 4>& t, double modulus, int part) {
   ModelVolume volume;
+  volume.part = part;
   volume.a = t[0];
   volume.b = t[1];
   volume.c = t[2];
@@ -108,24 +114,27 @@ std::vector<Triangle> gridTriangles(int firstNode, int nu, int nv) {
 
 void addGridSprings(Model& model, const Part& part, const GridShape& shape) {
   const auto node = [&](int i, int j) { return part.firstNode + j * shape.nu + i; };
+  const int structuralPart = partOf(model, part, "structural");
   for (int j = 0; j < shape.nv; ++j) {
     for (int i = 0; i < shape.nu; ++i) {
-      if (i + 1 < shape.nu) connect(model, node(i, j), node(i + 1, j), shape.structural);
-      if (j + 1 < shape.nv) connect(model, node(i, j), node(i, j + 1), shape.structural);
+      if (i + 1 < shape.nu) connect(model, node(i, j), node(i + 1, j), shape.structural, structuralPart);
+      if (j + 1 < shape.nv) connect(model, node(i, j), node(i, j + 1), shape.structural, structuralPart);
     }
   }
   const SpringMaterial shear = withStiffness(shape.structural, shape.shearStiffness);
+  const int shearPart = shear.k > 0.0 ? partOf(model, part, "shear") : partOfItsKind;
   for (int j = 0; j + 1 < shape.nv && shear.k > 0.0; ++j) {
     for (int i = 0; i + 1 < shape.nu; ++i) {
-      connect(model, node(i, j), node(i + 1, j + 1), shear);
-      connect(model, node(i + 1, j), node(i, j + 1), shear);
+      connect(model, node(i, j), node(i + 1, j + 1), shear, shearPart);
+      connect(model, node(i + 1, j), node(i, j + 1), shear, shearPart);
     }
   }
   const SpringMaterial bend = withStiffness(shape.structural, shape.bendStiffness);
+  const int bendPart = bend.k > 0.0 ? partOf(model, part, "bend") : partOfItsKind;
   for (int j = 0; j < shape.nv && bend.k > 0.0; ++j) {
     for (int i = 0; i < shape.nu; ++i) {
-      if (i + 2 < shape.nu) connect(model, node(i, j), node(i + 2, j), bend);
-      if (j + 2 < shape.nv) connect(model, node(i, j), node(i, j + 2), bend);
+      if (i + 2 < shape.nu) connect(model, node(i, j), node(i + 2, j), bend, bendPart);
+      if (j + 2 < shape.nv) connect(model, node(i, j), node(i, j + 2), bend, bendPart);
     }
   }
 }
@@ -190,8 +199,8 @@ std::vector<Triangle> outerFaces(const std::vector<std::array<int, 4>>& tetrahed
   return outer;
 }
 
-void connectTetrahedra(Model& model, const std::vector<std::array<int, 4>>& tetrahedra,
-                       const SpringMaterial& material) {
+void connectTetrahedra(Model& model, const std::vector<std::array<int, 4>>& tetrahedra, const SpringMaterial& material,
+                       int part) {
   std::vector<std::array<int, 2>> edges;
   for (const auto& t : tetrahedra) {
     for (std::size_t i = 0; i < 4; ++i) {
@@ -200,11 +209,12 @@ void connectTetrahedra(Model& model, const std::vector<std::array<int, 4>>& tetr
   }
   std::ranges::sort(edges);
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  for (const auto& [a, b] : edges) connect(model, a, b, material);
+  for (const auto& [a, b] : edges) connect(model, a, b, material, part);
 }
 
 /// Straightens every node that lies between two lines and no more.
-void addAngles(Model& model, int firstNode, const SurfaceMesh& mesh, double stiffness) {
+void addAngles(Model& model, const Part& part, const SurfaceMesh& mesh, double stiffness) {
+  const int firstNode = part.firstNode, angles = partOf(model, part, "angle");
   std::vector<std::vector<int>> neighbours(mesh.vertices.size());
   for (const auto& [a, b] : mesh.lines) {
     neighbours[static_cast<std::size_t>(a)].push_back(firstNode + b);
@@ -212,7 +222,8 @@ void addAngles(Model& model, int firstNode, const SurfaceMesh& mesh, double stif
   }
   for (std::size_t i = 0; i < neighbours.size(); ++i) {
     if (neighbours[i].size() != 2) continue;
-    model.angles.push_back({neighbours[i][0], firstNode + static_cast<int>(i), neighbours[i][1], stiffness, 0.0});
+    model.angles.push_back(
+        {neighbours[i][0], firstNode + static_cast<int>(i), neighbours[i][1], stiffness, 0.0, angles});
   }
 }
 
@@ -242,34 +253,37 @@ double areaOf(const SurfaceMesh& mesh) {
 
 }  // namespace
 
-Part addChain(Model& model, const ChainShape& shape) {
+Part addChain(Model& model, const ChainShape& shape, const std::string& name) {
   if (shape.n < 2)
     throw std::invalid_argument(fmt::format("a chain of {}; at least 2 are needed", counted(shape.n, "node")));
   if (!((shape.to - shape.from).norm() > 0.0)) throw std::invalid_argument("a chain begins and ends at one point");
-  Part part = beginPart(model, static_cast<std::size_t>(shape.n));
+  Part part = beginPart(model, name, static_cast<std::size_t>(shape.n));
   for (int i = 0; i < shape.n; ++i) {
     const double s = static_cast<double>(i) / (shape.n - 1);
     addNode(model, (1.0 - s) * shape.from + s * shape.to - 4.0 * shape.sag * s * (1.0 - s) * up(model));
   }
+  const int springs = partOf(model, part, "structural");
   for (int i = 0; i + 1 < shape.n; ++i) {
-    connect(model, part.firstNode + i, part.firstNode + i + 1, shape.spring);
+    connect(model, part.firstNode + i, part.firstNode + i + 1, shape.spring, springs);
     if (shape.L0 > 0.0) model.springs.back().L0 = shape.L0;
     model.springs.back().unilateral = shape.unilateral;
   }
+  const int angles = shape.angleStiffness > 0.0 && shape.n > 2 ? partOf(model, part, "angle") : partOfItsKind;
   for (int i = part.firstNode; i + 2 < part.firstNode + shape.n && shape.angleStiffness > 0.0; ++i) {
-    model.angles.push_back({i, i + 1, i + 2, shape.angleStiffness, 0.0});
+    model.angles.push_back({i, i + 1, i + 2, shape.angleStiffness, 0.0, angles});
   }
   part.measure = (shape.to - shape.from).norm();
   return part;
 }
 
-Part addRope(Model& model, const RopeShape& shape) {
+Part addRope(Model& model, const RopeShape& shape, const std::string& name) {
   requireFlat(model, shape.mesh);
-  Part part = beginPart(model, shape.mesh.vertices.size());
+  Part part = beginPart(model, name, shape.mesh.vertices.size());
   for (const Vec3& x : shape.mesh.vertices) addNode(model, x);
   part.shares.assign(shape.mesh.vertices.size(), 0.0);
+  const int springs = partOf(model, part, "structural");
   for (const auto& [a, b] : shape.mesh.lines) {
-    connect(model, part.firstNode + a, part.firstNode + b, shape.spring);
+    connect(model, part.firstNode + a, part.firstNode + b, shape.spring, springs);
     model.springs.back().unilateral = shape.unilateral;
     const double L = model.springs.back().L0;
     if (!(L > 0.0)) {
@@ -282,11 +296,11 @@ Part addRope(Model& model, const RopeShape& shape) {
     part.shares[static_cast<std::size_t>(b)] += 0.5 * L;
   }
   for (double& share : part.shares) share /= part.measure;
-  if (shape.angleStiffness > 0.0) addAngles(model, part.firstNode, shape.mesh, shape.angleStiffness);
+  if (shape.angleStiffness > 0.0) addAngles(model, part, shape.mesh, shape.angleStiffness);
   return part;
 }
 
-Part addGrid(Model& model, const GridShape& shape) {
+Part addGrid(Model& model, const GridShape& shape, const std::string& name) {
   if (shape.nu < 2 || shape.nv < 2) {
     throw std::invalid_argument(fmt::format("a grid of {} x {} nodes; at least 2 x 2", shape.nu, shape.nv));
   }
@@ -294,7 +308,7 @@ Part addGrid(Model& model, const GridShape& shape) {
   if (!(shape.across.cross(shape.along).norm() > 1e-9)) {
     throw std::invalid_argument("a grid's directions across and along are parallel");
   }
-  Part part = beginPart(model, static_cast<std::size_t>(shape.nu) * static_cast<std::size_t>(shape.nv));
+  Part part = beginPart(model, name, static_cast<std::size_t>(shape.nu) * static_cast<std::size_t>(shape.nv));
   for (int j = 0; j < shape.nv; ++j) {
     for (int i = 0; i < shape.nu; ++i) {
       addNode(model, shape.origin + shape.spacing * i * shape.across + shape.spacing * j * shape.along);
@@ -303,12 +317,14 @@ Part addGrid(Model& model, const GridShape& shape) {
   addGridSprings(model, part, shape);
   part.triangles = gridTriangles(part.firstNode, shape.nu, shape.nv);
   if (shape.areaModulus > 0.0) {
-    for (const Triangle& t : part.triangles) addArea(model, t, shape.areaModulus);
+    const int areas = partOf(model, part, "area");
+    for (const Triangle& t : part.triangles) addArea(model, t, shape.areaModulus, areas);
   }
   if (shape.dihedralStiffness > 0.0) {
     requireSpace(model, "dihedral bending");
+    const int dihedrals = partOf(model, part, "dihedral");
     for (const auto& [a, b, c, d] : hingesOf(part.triangles)) {
-      model.dihedrals.push_back({a, b, c, d, shape.dihedralStiffness, 0.0});
+      model.dihedrals.push_back({a, b, c, d, shape.dihedralStiffness, 0.0, dihedrals});
     }
   }
   part.measure =
@@ -316,14 +332,14 @@ Part addGrid(Model& model, const GridShape& shape) {
   return part;
 }
 
-Part addBox(Model& model, const BoxShape& shape) {
+Part addBox(Model& model, const BoxShape& shape, const std::string& name) {
   requireSpace(model, "a box");
   if (shape.nx < 1 || shape.ny < 1 || shape.nz < 1) {
     throw std::invalid_argument(
         fmt::format("a box of {} x {} x {} cells; at least 1 each", shape.nx, shape.ny, shape.nz));
   }
   const auto along = [](int n) { return static_cast<std::size_t>(n) + 1; };
-  Part part = beginPart(model, along(shape.nx) * along(shape.ny) * along(shape.nz));
+  Part part = beginPart(model, name, along(shape.nx) * along(shape.ny) * along(shape.nz));
   const Vec3 least = shape.centre - 0.5 * shape.size;
   for (int k = 0; k <= shape.nz; ++k) {
     for (int j = 0; j <= shape.ny; ++j) {
@@ -335,21 +351,23 @@ Part addBox(Model& model, const BoxShape& shape) {
     }
   }
   const auto tetrahedra = boxTetrahedra(shape, part.firstNode);
-  connectTetrahedra(model, tetrahedra, shape.spring);
+  connectTetrahedra(model, tetrahedra, shape.spring, partOf(model, part, "structural"));
   if (shape.bulkModulus > 0.0) {
-    for (const auto& t : tetrahedra) addVolume(model, t, shape.bulkModulus);
+    const int volumes = partOf(model, part, "bulk");
+    for (const auto& t : tetrahedra) addVolume(model, t, shape.bulkModulus, volumes);
   }
   part.triangles = outerFaces(tetrahedra);
   part.measure = shape.size.prod();
   return part;
 }
 
-Part addShell(Model& model, const ShellShape& shape) {
+Part addShell(Model& model, const ShellShape& shape, const std::string& name) {
   requireSpace(model, "a surface");
-  Part part = beginPart(model, shape.mesh.vertices.size());
+  Part part = beginPart(model, name, shape.mesh.vertices.size());
   for (const Vec3& x : shape.mesh.vertices) addNode(model, x);
+  const int springs = partOf(model, part, "structural");
   for (const auto& [a, b] : edgesOf(shape.mesh.triangles)) {
-    connect(model, part.firstNode + a, part.firstNode + b, shape.spring);
+    connect(model, part.firstNode + a, part.firstNode + b, shape.spring, springs);
   }
   for (const Triangle& t : shape.mesh.triangles) {
     part.triangles.push_back({part.firstNode + t[0], part.firstNode + t[1], part.firstNode + t[2]});

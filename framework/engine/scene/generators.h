@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/model/model.h"
+#include "engine/model/parts.h"
 #include "engine/scene/surface_mesh.h"
 
 #include <string>
@@ -16,6 +16,10 @@ struct Part {
   double measure = 0.0;             ///< length [m], area [m^2] or volume [m^3] at rest: mass = density * measure
   std::vector<double> shares = {};  ///< of the mass, one a node, with sum 1; empty: all alike
 };
+
+// Each generator takes the name of what it makes. Its springs are the model's part "NAME.structural"; what a key adds
+// is the part named after the first word of the key: "NAME.shear" of shear_stiffness, and so "NAME.bend", "NAME.angle",
+// "NAME.dihedral", "NAME.area", "NAME.bulk"; of a lattice also "NAME.lattice" and "NAME.ties".
 
 /// What the springs of a generator are made of.
 struct SpringMaterial {
@@ -36,7 +40,7 @@ struct ChainShape {
   bool unilateral = false;      ///< the springs only push: blocks on each other
   double angleStiffness = 0.0;  ///< [J/rad^2] of every inner node; 0: none
 };
-Part addChain(Model& model, const ChainShape& shape);
+Part addChain(Model& model, const ChainShape& shape, const std::string& name = "chain");
 
 /// A rope, or a net of ropes: a node at each vertex, a spring along each line, at rest where they are.
 struct RopeShape {
@@ -47,7 +51,7 @@ struct RopeShape {
 };
 /// Each node has half of the length of its lines as its share of the mass. Throws std::invalid_argument when a line has
 /// length 0, when the lines leave the plane of a 2D scene, and in 1D.
-Part addRope(Model& model, const RopeShape& shape);
+Part addRope(Model& model, const RopeShape& shape, const std::string& name = "rope");
 
 /// nu by nv nodes in a plane; node (i, j) has index j * nu + i within the part (as in the harness's grid).
 struct GridShape {
@@ -62,7 +66,7 @@ struct GridShape {
   double dihedralStiffness = 0.0;  ///< [J/rad^2] of each edge between two triangles; 0: none (3D only)
   double areaModulus = 0.0;        ///< [N/m] E = K A0/2 (A/A0 - 1)^2 of each of the two triangles of a cell; 0: none
 };
-Part addGrid(Model& model, const GridShape& shape);
+Part addGrid(Model& model, const GridShape& shape, const std::string& name = "grid");
 
 /// nx by ny by nz cells, each cut into five tetrahedra (mirrored from cell to cell, so that the diagonals of
 /// neighbours meet), a spring along every edge. 3D only.
@@ -73,14 +77,14 @@ struct BoxShape {
   SpringMaterial spring = {};
   double bulkModulus = 0.0;  ///< [Pa] E = K V0/2 (V/V0 - 1)^2 of each tetrahedron; 0: none
 };
-Part addBox(Model& model, const BoxShape& shape);
+Part addBox(Model& model, const BoxShape& shape, const std::string& name = "box");
 
 /// A surface as a shell: a node at each vertex, a spring along each edge. 3D only.
 struct ShellShape {
   SurfaceMesh mesh;
   SpringMaterial spring = {};
 };
-Part addShell(Model& model, const ShellShape& shape);
+Part addShell(Model& model, const ShellShape& shape, const std::string& name = "shell");
 
 /// A solid: the shell, and inside it the nodes of a cubic lattice, each joined to its up to 26 neighbours in the
 /// lattice; every vertex is tied to the inner nodes nearest to it. 3D only.
@@ -92,7 +96,7 @@ struct LatticeShape {
 };
 /// The part's measure is the volume of the surface; first come its vertices, then the inner nodes.
 /// Throws std::invalid_argument when no lattice node lies inside, or the solid is in pieces.
-Part addLattice(Model& model, const LatticeShape& shape);
+Part addLattice(Model& model, const LatticeShape& shape, const std::string& name = "lattice");
 
 /// Gives each node of the part its share of M, else M / n (slide "Masa/Inercia"), scaled in a geometric sequence so
 /// that the last has `taper` times the mass of the first; the sum is M.

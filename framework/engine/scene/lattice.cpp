@@ -59,20 +59,27 @@ std::vector<InnerNode> pointsInside(const LatticeShape& shape) {
   return inside;
 }
 
-void addSpring(Model& model, int a, int b, const SpringMaterial& material) {
+void addSpring(Model& model, int a, int b, const SpringMaterial& material, int part) {
   const double L0 = (model.nodes[static_cast<std::size_t>(a)].x - model.nodes[static_cast<std::size_t>(b)].x).norm();
-  model.springs.push_back({a, b, material.k, L0, material.dRelative, material.dProjected});
+  model.springs.push_back({.a = a,
+                           .b = b,
+                           .k = material.k,
+                           .L0 = L0,
+                           .dRelative = material.dRelative,
+                           .dProjected = material.dProjected,
+                           .part = part});
 }
 
 /// Springs to the 13 neighbours that come later in the order of the cells: each pair once.
-void joinLattice(Model& model, const std::vector<InnerNode>& inner, int firstInner, const SpringMaterial& material) {
+void joinLattice(Model& model, const std::vector<InnerNode>& inner, int firstInner, const SpringMaterial& material,
+                 int part) {
   std::map<Cell, int> indexOf;
   for (std::size_t i = 0; i < inner.size(); ++i) indexOf[inner[i].cell] = firstInner + static_cast<int>(i);
   for (const InnerNode& node : inner) {
     for (int step = 14; step < 27; ++step) {
       const Cell next = {node.cell[0] + step % 3 - 1, node.cell[1] + step / 3 % 3 - 1, node.cell[2] + step / 9 - 1};
       const auto found = indexOf.find(next);
-      if (found != indexOf.end()) addSpring(model, indexOf[node.cell], found->second, material);
+      if (found != indexOf.end()) addSpring(model, indexOf[node.cell], found->second, material, part);
     }
   }
 }
@@ -103,8 +110,8 @@ void requireConnected(const Model& model, const Part& part) {
 
 }  // namespace
 
-Part addLattice(Model& model, const LatticeShape& shape) {
-  Part part = addShell(model, {shape.mesh, shape.spring});
+Part addLattice(Model& model, const LatticeShape& shape, const std::string& name) {
+  Part part = addShell(model, {shape.mesh, shape.spring}, name);
   const std::vector<InnerNode> inner = pointsInside(shape);
   if (inner.empty()) {
     throw std::invalid_argument(
@@ -118,11 +125,12 @@ Part addLattice(Model& model, const LatticeShape& shape) {
     added.x = node.x;
     model.nodes.push_back(added);
   }
-  joinLattice(model, inner, firstInner, shape.spring);
+  joinLattice(model, inner, firstInner, shape.spring, partNamed(model, name + ".lattice"));
+  const int ties = partNamed(model, name + ".ties");
   for (int i = 0; i < part.nodeCount; ++i) {
     const Vec3 x = shape.mesh.vertices[static_cast<std::size_t>(i)];
     for (const int j : nearestInner(inner, x, shape.ties)) {
-      addSpring(model, part.firstNode + i, firstInner + j, shape.spring);
+      addSpring(model, part.firstNode + i, firstInner + j, shape.spring, ties);
     }
   }
   part.nodeCount += static_cast<int>(inner.size());

@@ -72,7 +72,7 @@ SpringMaterial readMaterial(const TableReader& table) {
   return material;
 }
 
-Part readChain(const TableReader& table, Model& model) {
+Part readChain(const TableReader& table, Model& model, const std::string& name) {
   ChainShape shape;
   shape.n = table.integer("nodes", 2, mostAlong);
   shape.from = table.vector("from");
@@ -84,10 +84,10 @@ Part readChain(const TableReader& table, Model& model) {
   if (shape.sag != 0.0 && model.dimension == 1) table.fail("sag", "needs a scene of dimension 2 or 3");
   shape.unilateral = table.flag("unilateral", false);
   shape.angleStiffness = table.notNegative("angle_stiffness", 0.0);
-  return addChain(model, shape);
+  return addChain(model, shape, name);
 }
 
-Part readGrid(const TableReader& table, Model& model) {
+Part readGrid(const TableReader& table, Model& model, const std::string& name) {
   GridShape shape;
   const std::vector<int> counts = table.integers("nodes", 2, 2, mostAlong);
   shape.nu = counts[0];
@@ -105,10 +105,10 @@ Part readGrid(const TableReader& table, Model& model) {
   shape.bendStiffness = table.notNegative("bend_stiffness", 0.0);
   shape.dihedralStiffness = table.notNegative("dihedral_stiffness", 0.0);
   shape.areaModulus = table.notNegative("area_modulus", 0.0);
-  return addGrid(model, shape);
+  return addGrid(model, shape, name);
 }
 
-Part readBox(const TableReader& table, Model& model) {
+Part readBox(const TableReader& table, Model& model, const std::string& name) {
   BoxShape shape;
   const std::vector<int> cells = table.integers("cells", 3, 1, mostAlong);
   shape.nx = cells[0];
@@ -118,7 +118,7 @@ Part readBox(const TableReader& table, Model& model) {
   shape.centre = table.vector("centre", Vec3::Zero());
   shape.spring = readMaterial(table);
   shape.bulkModulus = table.notNegative("bulk_modulus", 0.0);
-  return addBox(model, shape);
+  return addBox(model, shape, name);
 }
 
 /// Adds "3 things", or nothing where there are none.
@@ -177,34 +177,35 @@ SurfaceMesh readMesh(const TableReader& table, const std::filesystem::path& fold
   return mesh;
 }
 
-Part readShell(const TableReader& table, Scene& scene, const std::filesystem::path& folder) {
-  return addShell(scene.model, {readMesh(table, folder, scene, MeshPart::Faces), readMaterial(table)});
+Part readShell(const TableReader& table, Scene& scene, const std::string& name, const std::filesystem::path& folder) {
+  return addShell(scene.model, {readMesh(table, folder, scene, MeshPart::Faces), readMaterial(table)}, name);
 }
 
-Part readRope(const TableReader& table, Scene& scene, const std::filesystem::path& folder) {
+Part readRope(const TableReader& table, Scene& scene, const std::string& name, const std::filesystem::path& folder) {
   RopeShape shape;
   shape.mesh = readMesh(table, folder, scene, MeshPart::Lines);
   shape.spring = readMaterial(table);
   shape.unilateral = table.flag("unilateral", false);
   shape.angleStiffness = table.notNegative("angle_stiffness", 0.0);
-  return addRope(scene.model, shape);
+  return addRope(scene.model, shape, name);
 }
 
-Part readLattice(const TableReader& table, Scene& scene, const std::filesystem::path& folder) {
+Part readLattice(const TableReader& table, Scene& scene, const std::string& name, const std::filesystem::path& folder) {
   LatticeShape shape;
   shape.mesh = readMesh(table, folder, scene, MeshPart::Faces);
   shape.spacing = table.positive("spacing");
   if (table.has("ties")) shape.ties = table.integer("ties", 1, 100);
   shape.spring = readMaterial(table);
-  return addLattice(scene.model, shape);
+  return addLattice(scene.model, shape, name);
 }
 
-Part generate(const TableReader& table, const std::string& kind, Scene& scene, const std::filesystem::path& folder) {
-  if (kind == "chain") return readChain(table, scene.model);
-  if (kind == "rope") return readRope(table, scene, folder);
-  if (kind == "grid") return readGrid(table, scene.model);
-  if (kind == "box") return readBox(table, scene.model);
-  return kind == "shell" ? readShell(table, scene, folder) : readLattice(table, scene, folder);
+Part generate(const TableReader& table, const std::string& kind, const std::string& name, Scene& scene,
+              const std::filesystem::path& folder) {
+  if (kind == "chain") return readChain(table, scene.model, name);
+  if (kind == "rope") return readRope(table, scene, name, folder);
+  if (kind == "grid") return readGrid(table, scene.model, name);
+  if (kind == "box") return readBox(table, scene.model, name);
+  return kind == "shell" ? readShell(table, scene, name, folder) : readLattice(table, scene, name, folder);
 }
 
 void readMass(const TableReader& table, Model& model, const Part& part) {
@@ -267,15 +268,15 @@ void readObject(const TableReader& table, Scene& scene, const std::filesystem::p
   for (const auto& [name, keys] : kinds()) names.push_back(name);
   const std::string kind = table.choice("kind", names);
   checkKeys(table, kind);
+  const std::string name = table.text("name", fmt::format("{}{}", kind, scene.parts.size() + 1));
+  if (std::ranges::find(scene.parts, name, &Part::name) != scene.parts.end()) {
+    table.fail("name", fmt::format("'{}' is already that of another object", name));
+  }
   Part part;
   try {
-    part = generate(table, kind, scene, folder);
+    part = generate(table, kind, name, scene, folder);
   } catch (const std::invalid_argument& error) {
     table.failHere(error.what());
-  }
-  part.name = table.text("name", fmt::format("{}{}", kind, scene.parts.size() + 1));
-  if (std::ranges::find(scene.parts, part.name, &Part::name) != scene.parts.end()) {
-    table.fail("name", fmt::format("'{}' is already that of another object", part.name));
   }
   readMass(table, scene.model, part);
   place(table, scene.model, part);

@@ -86,11 +86,16 @@ void requireMass(const TableReader& table, const ModelNode& node) {
   if (isFree(node) && !table.has("m")) table.fail("m", "missing: a node that is neither pinned nor moved has a mass");
 }
 
+/// The part that the element is of: part = "hem".
+int readPart(const TableReader& table, Model& model) {
+  return table.has("part") ? partNamed(model, table.text("part")) : partOfItsKind;
+}
+
 void readSpring(const TableReader& table, Model& model) {
   table.refuseOtherNames({{"stiffness", "k"}, {"rest_length", "L0"}, {"damping", "projected_damping"}});
-  table.checkKeys(
-      {"nodes", "k", "L0", "relative_damping", "projected_damping", "damping_ratio", "unilateral", "signed", "rod"},
-      {"nodes"});
+  table.checkKeys({"nodes", "k", "L0", "relative_damping", "projected_damping", "damping_ratio", "unilateral", "signed",
+                   "rod", "part"},
+                  {"nodes"});
   const std::vector<int> nodes = readNodes(table, model, 2);
   ModelSpring spring;
   spring.a = nodes[0];
@@ -106,24 +111,27 @@ void readSpring(const TableReader& table, Model& model) {
   if (spring.isSigned && model.dimension != 1) table.fail("signed", "only a scene of dimension 1 has sides");
   table.oneKeyOf({"damping_ratio", "projected_damping"}, false);
   spring.dampingRatio = table.notNegative("damping_ratio", 0.0);
+  spring.part = readPart(table, model);
   model.springs.push_back(spring);
 }
 
 void readAngle(const TableReader& table, Model& model) {
-  table.checkKeys({"nodes", "k", "theta0"}, {"nodes", "k"});
+  table.checkKeys({"nodes", "k", "theta0", "part"}, {"nodes", "k"});
   const std::vector<int> n = readNodes(table, model, 3);
-  model.angles.push_back({n[0], n[1], n[2], table.notNegative("k"), table.number("theta0", 0.0)});
+  model.angles.push_back(
+      {n[0], n[1], n[2], table.notNegative("k"), table.number("theta0", 0.0), readPart(table, model)});
 }
 
 void readDihedral(const TableReader& table, Model& model) {
-  table.checkKeys({"nodes", "k", "theta0"}, {"nodes", "k"});
+  table.checkKeys({"nodes", "k", "theta0", "part"}, {"nodes", "k"});
   if (model.dimension != 3) table.failHere("needs a scene of dimension 3");
   const std::vector<int> n = readNodes(table, model, 4);
-  model.dihedrals.push_back({n[0], n[1], n[2], n[3], table.notNegative("k"), table.number("theta0", 0.0)});
+  model.dihedrals.push_back(
+      {n[0], n[1], n[2], n[3], table.notNegative("k"), table.number("theta0", 0.0), readPart(table, model)});
 }
 
 void readArea(const TableReader& table, Model& model) {
-  table.checkKeys({"nodes", "k", "A0", "normal"}, {"nodes", "k"});
+  table.checkKeys({"nodes", "k", "A0", "normal", "part"}, {"nodes", "k"});
   if (model.dimension == 1) table.failHere("needs a scene of dimension 2 or 3");
   const std::vector<int> n = readNodes(table, model, 3);
   const Vec3 ab = positionOf(model, n[1]) - positionOf(model, n[0]);
@@ -144,17 +152,19 @@ void readArea(const TableReader& table, Model& model) {
     rest = 0.5 * cross.dot(area.normal);
   }
   area.A0 = table.number("A0", rest);
+  area.part = readPart(table, model);
   model.areas.push_back(area);
 }
 
 void readVolume(const TableReader& table, Model& model) {
-  table.checkKeys({"nodes", "k", "V0"}, {"nodes", "k"});
+  table.checkKeys({"nodes", "k", "V0", "part"}, {"nodes", "k"});
   if (model.dimension != 3) table.failHere("needs a scene of dimension 3");
   const std::vector<int> n = readNodes(table, model, 4);
   const Vec3& a = positionOf(model, n[0]);
   const double rest =
       (positionOf(model, n[1]) - a).dot((positionOf(model, n[2]) - a).cross(positionOf(model, n[3]) - a)) / 6.0;
-  model.volumes.push_back({n[0], n[1], n[2], n[3], table.notNegative("k"), table.number("V0", rest)});
+  model.volumes.push_back(
+      {n[0], n[1], n[2], n[3], table.notNegative("k"), table.number("V0", rest), readPart(table, model)});
 }
 
 // --- what acts on chosen nodes ---
@@ -198,21 +208,23 @@ void readMotion(const TableReader& table, Scene& scene) {
 
 void readForce(const TableReader& table, Scene& scene) {
   table.refuseOtherNames({{"force", "F"}});
-  table.checkKeys(with({"F", "during", "frequency"}, selectionKeys), {"F"});
+  table.checkKeys(with({"F", "during", "frequency", "part"}, selectionKeys), {"F"});
   const Vec3 F = table.vector("F");
   const auto [from, to] = table.has("during") ? table.interval("during") : std::pair(0.0, forever);
   const double frequency = table.positive("frequency", 0.0);
   scene.model.externalForces.push_back(externalForce(selectNodes(table, scene), F, from, to, frequency));
+  scene.model.externalForces.back().part = readPart(table, scene.model);
 }
 
 void readProperty(const TableReader& table, Scene& scene) {
-  table.checkKeys(with({"axis", "k", "p0"}, selectionKeys), {"axis", "k", "p0"});
+  table.checkKeys(with({"axis", "k", "p0", "part"}, selectionKeys), {"axis", "k", "p0"});
   ModelProperty property;
   property.nodes = selectNodes(table, scene);
   const Vec3 weight = Vec3::Unit(readAxis(table, "axis")) / static_cast<double>(property.nodes.size());
   property.weights.assign(property.nodes.size(), weight);
   property.k = table.notNegative("k");
   property.p0 = table.number("p0");
+  property.part = readPart(table, scene.model);
   scene.model.properties.push_back(std::move(property));
 }
 

@@ -1,7 +1,9 @@
 #include "lab/run/run_scene.h"
 
 #include "base/text/count.h"
+#include "base/text/printable.h"
 #include "engine/integrators/catalogue.h"
+#include "engine/model/parts.h"
 #include "engine/model/singular_points.h"
 #include "engine/scene/selection.h"
 
@@ -141,6 +143,7 @@ Scene applied(Scene scene, const RunOverrides& overrides) {
     std::ranges::replace(id, '-', '_');
     scene.method = methodInfo(id).id;  // throws with the nearest known id
   }
+  if (!overrides.without.empty()) scene.model = withoutParts(scene.model, overrides.without);
   const bool adaptive = methodInfo(scene.method).adaptive;
   if (overrides.step && overrides.tolerance) {
     throw std::invalid_argument("--step and --tolerance: give one, a fixed step or a tolerance that chooses it");
@@ -237,6 +240,17 @@ Trajectory trajectoryOf(const SceneRun& run) {
     }
   }
   return given;
+}
+
+std::string workOfParts(const SceneRun& run) {
+  std::string text;
+  for (const ModelPart& part : partsOf(run.system->model())) {
+    const long long evaluated = part.elements * run.result.work.forceEvaluations;
+    text += line(text.empty() ? "parts" : "",
+                 fmt::format("{}: {}, {}", printableLine(part.name), countedInGroups(part.elements, "element"),
+                             countedInGroups(evaluated, "evaluation")));
+  }
+  return text;
 }
 
 std::string summaryOf(const Scene& scene, const SceneRun& run) {

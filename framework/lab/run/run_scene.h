@@ -20,6 +20,7 @@ struct RunOverrides {
   std::optional<double> outputInterval;
   std::optional<bool> events;  ///< whether steps end at contacts and jumps
   bool compensated = false;
+  std::vector<std::string> without;  ///< names of parts of the model that are left out: see engine::withoutParts()
 };
 
 /// The scene with the overrides applied, step and tolerance settled for its method:
@@ -76,5 +77,7 @@ std::string axesOf(const engine::Model& model);
 
 /// The summary that `muelle run` prints: method, steps, times, error, energy, work, warnings, events.
 std::string summaryOf(const engine::Scene& scene, const SceneRun& run);
+/// A line for each part of the model, as the summary's lines: its elements, and how often one was evaluated in the run.
+std::string workOfParts(const SceneRun& run);
 
 }  // namespace muelle::lab

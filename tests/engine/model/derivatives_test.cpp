@@ -283,19 +283,19 @@ TEST_F(Derivatives, ConstraintsAndExternalForceAreAllTheForce) {
     const Constraints& constraints = *system_->constraints();
     std::vector<double> f(s.x.size());
     constraints.externalForce(s.t, s.x, s.v, s.z, f);
-    for (int j = 0; j < constraints.count(); ++j) {
-      Constraint c;
-      if (!constraints.evaluate(j, s.t, s.x, s.z, c)) continue;
-      double rate = 0.0;
-      for (int i = 0; i < c.count; ++i) {
-        const auto e = static_cast<std::size_t>(i);
-        rate += c.gradient[e] * s.v[static_cast<std::size_t>(c.lane[e])];
+    constraints.evaluate(s.t, s.x, s.z, [&](std::span<const Constraint> some) {
+      for (const Constraint& c : some) {
+        double rate = 0.0;
+        for (int i = 0; i < c.count; ++i) {
+          const auto e = static_cast<std::size_t>(i);
+          rate += c.gradient[e] * s.v[static_cast<std::size_t>(c.lane[e])];
+        }
+        for (int i = 0; i < c.count; ++i) {
+          const auto e = static_cast<std::size_t>(i);
+          f[static_cast<std::size_t>(c.lane[e])] -= (c.stiffness * c.value + c.damping * rate) * c.gradient[e];
+        }
       }
-      for (int i = 0; i < c.count; ++i) {
-        const auto e = static_cast<std::size_t>(i);
-        f[static_cast<std::size_t>(c.lane[e])] -= (c.value / c.compliance + c.damping * rate) * c.gradient[e];
-      }
-    }
+    });
     // A damped contact never pulls and its obstacle may move: a Constraint knows neither.
     if (!constraints.leftOut().empty() || is("damped_") || is("friction_")) return;
     const Eigen::VectorXd sum = unknownsOf([&](Out to) { std::ranges::copy(f, to.begin()); });

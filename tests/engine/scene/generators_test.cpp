@@ -79,6 +79,20 @@ TEST(Chain, DampingRatioIsThatOfTwoMassesOnOneSpring) {
   EXPECT_DOUBLE_EQ(projectedDamping(model, model.springs[0]), 20.0);
 }
 
+TEST(Grid, HasPartsNamedAfterWhatTheyResist) {
+  Model model;
+  GridShape shape;
+  shape.nu = shape.nv = 3;
+  shape.shearStiffness = shape.bendStiffness = shape.dihedralStiffness = shape.areaModulus = 1.0;
+  addGrid(model, shape, "cloth");
+  std::vector<std::pair<std::string, long long>> parts;
+  for (const ModelPart& part : partsOf(model)) parts.emplace_back(part.name, part.elements);
+  // 2 (3 2) edges, two diagonals in each of 4 cells, 2 * 3 springs over two cells; 8 inner edges of 8 triangles.
+  const std::vector<std::pair<std::string, long long>> expected = {
+      {"cloth.structural", 12}, {"cloth.shear", 8}, {"cloth.bend", 6}, {"cloth.dihedral", 8}, {"cloth.area", 8}};
+  EXPECT_EQ(parts, expected);
+}
+
 TEST(Grid, IsTheClothOfTheHardCases) {
   Model model;
   GridShape shape;

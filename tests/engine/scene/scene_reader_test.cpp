@@ -1,5 +1,6 @@
 #include "engine/forces/segment.h"
 #include "engine/model/damping.h"
+#include "engine/model/parts.h"
 #include "support/scene_text.h"
 
 #include <fmt/format.h>
@@ -151,6 +152,18 @@ TEST(SceneReader, ADampingRatioIsTheSameInWhateverWayTheOtherNodeIsHeld) {
     // d = 2 z sqrt(k m) = 2 * 0.1 * sqrt(100 * 4)
     EXPECT_DOUBLE_EQ(projectedDamping(scene.model, scene.model.springs[0]), 4.0) << key << table;
   }
+}
+
+TEST(SceneReader, PartsAreNamedByTheirObjectOrByHand) {
+  const Scene scene =
+      sceneFrom(space("[[node]]\nx = [0, 0, 1]\nm = 1\n[[node]]\nx = [0, 0, 2]\nm = 1\n"
+                      "[[object]]\nkind = 'chain'\nname = 'rope'\nnodes = 3\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nk = "
+                      "1\nmass = 1\nangle_stiffness = 1\n"
+                      "[[spring]]\nnodes = [0, 1]\nk = 1\npart = 'hem'\n[[spring]]\nnodes = [1, 2]\nk = 1\n"
+                      "[[force]]\nF = [1, 0, 0]\nall = true\npart = 'wind'\n"));
+  std::vector<std::string> names;
+  for (const ModelPart& part : partsOf(scene.model)) names.push_back(part.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"rope.structural", "hem", "spring", "rope.angle", "wind"}));
 }
 
 TEST(SceneReader, RestLengthIsTheDistanceWhenNotGiven) {

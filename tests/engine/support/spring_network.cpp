@@ -130,14 +130,13 @@ void SpringNetwork::assemble(double cM, double cD, double cK, double, In x, In v
   J.sparse.setFromTriplets(entries.begin(), entries.end());
 }
 
-bool SpringNetwork::evaluate(int j, double, In x, In, Constraint& out) const {
-  const Spring& s = springs_[index(j)];
+Constraint SpringNetwork::constraintOf(const Spring& s, In x) const {
+  Constraint out;
   const Vector d = offset(s, x);
   const double L = d.norm();
   out.kind = Constraint::Kind::Distance;
-  out.count = 0;
   out.value = L - s.L0;
-  out.compliance = 1.0 / s.k;
+  out.stiffness = s.k;
   out.damping = s.damping;
   for (const int node : {s.a, s.b}) {
     if (node < 0) continue;
@@ -147,7 +146,20 @@ bool SpringNetwork::evaluate(int j, double, In x, In, Constraint& out) const {
       ++out.count;
     }
   }
-  return true;
+  return out;
+}
+
+void SpringNetwork::evaluate(double, In x, In, const ConstraintBlocks::Take& take) const {
+  std::vector<Constraint> all;
+  for (const Spring& s : springs_) {
+    all.push_back(constraintOf(s, x));
+    all.back().index = static_cast<int>(all.size()) - 1;
+  }
+  take(all);
+}
+
+void SpringNetwork::project(double, In, const ConstraintProjection& projection) const {
+  for (const Spring& s : springs_) projection(constraintOf(s, {projection.x, mass_.size()}));
 }
 
 void SpringNetwork::externalForce(double, In, In v, In, Out f) const {

@@ -39,7 +39,8 @@ class SpringNetwork : public DynamicalSystem, public Potential, public Linearisa
   void assemble(double cM, double cD, double cK, double t, In x, In v, In z, Form form, SystemMatrix& J) const override;
 
   int count() const override { return static_cast<int>(springs_.size()); }
-  bool evaluate(int j, double t, In x, In z, Constraint& out) const override;
+  void evaluate(double t, In x, In z, const ConstraintBlocks::Take& take) const override;
+  void project(double t, In z, const ConstraintProjection& projection) const override;
   void externalForce(double t, In x, In v, In z, Out f) const override;
   std::string leftOut() const override { return notCovered; }
 
@@ -51,6 +52,7 @@ class SpringNetwork : public DynamicalSystem, public Potential, public Linearisa
  private:
   Eigen::VectorXd offset(const Spring& s, In x) const;
   Eigen::VectorXd relativeVelocity(const Spring& s, In v) const;
+  Constraint constraintOf(const Spring& s, In x) const;
   void add(const Spring& s, const Eigen::VectorXd& onA, Out f) const;
   void addGravity(Out f) const;
 

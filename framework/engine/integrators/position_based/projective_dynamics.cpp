@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 namespace muelle::engine {
@@ -80,57 +81,70 @@ class ProjectiveDynamics final : public PositionMethod {
   /// Adds the gradient of the springs' energies and their damping to residual_; true when one acts that the matrix
   /// lacks.
   bool addElastic(const DynamicalSystem& system, const State& from, double h, const State& to) {
-    const Constraints& constraints = *system.constraints();
     ++work_.forceEvaluations;
     bool missing = false;
-    for (int j = 0; j < constraints.count(); ++j) {
-      if (!constraints.evaluate(j, from.t + h, to.x, to.z, constraint_)) continue;
-      const Constraint& c = constraint_;
-      if (!covered_[static_cast<std::size_t>(j)]) missing = true;
-      double moved = 0.0;
-      for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
-        const auto u = static_cast<std::size_t>(c.lane[i]);
-        if (inverseMass_[u] > 0.0) moved += c.gradient[i] * (to.x[u] - from.x[u]);
+    const auto add = [&](std::span<const Constraint> constraints) {
+      for (const Constraint& c : constraints) {
+        if (!covered_[static_cast<std::size_t>(c.index)]) missing = true;
+        addElastic(c, from, h, to);
       }
-      const double pull = c.value / c.compliance + c.damping * moved / h;
-      for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
-        if (inverseMass_[static_cast<std::size_t>(c.lane[i])] > 0.0) residual_[c.lane[i]] += pull * c.gradient[i];
-      }
-    }
+    };
+    system.constraints()->evaluate(from.t + h, to.x, to.z, std::ref(add));
     return missing;
+  }
+
+  void addElastic(const Constraint& c, const State& from, double h, const State& to) {
+    const auto entries = static_cast<std::size_t>(c.count);
+    double moved = 0.0;
+    for (std::size_t i = 0; i < entries; ++i) {
+      const auto u = static_cast<std::size_t>(c.lane[i]);
+      if (isFree(c.lane[i])) moved += c.gradient[i] * (to.x[u] - from.x[u]);
+    }
+    const double pull = c.stiffness * c.value + c.damping * moved / h;
+    for (std::size_t i = 0; i < entries; ++i) {
+      if (isFree(c.lane[i])) residual_[c.lane[i]] += pull * c.gradient[i];
+    }
+  }
+
+  bool isFree(int lane) const { return inverseMass_[static_cast<std::size_t>(lane)] > 0.0; }
+
+  /// Adds a spring's own matrix k [1 -1; -1 1] on the free lanes of each axis.
+  void addDistance(const Constraint& c, double h, int dimension, std::vector<Eigen::Triplet<double>>& entries) const {
+    const double k = c.stiffness + c.damping / h;
+    for (int axis = 0; axis < dimension; ++axis) {
+      const int a = c.lane[static_cast<std::size_t>(axis)];
+      if (isFree(a)) entries.emplace_back(a, a, k);
+      if (c.count == dimension) continue;  // the other end is no lane
+      const int b = c.lane[static_cast<std::size_t>(axis + dimension)];
+      if (isFree(b)) entries.emplace_back(b, b, k);
+      if (!isFree(a) || !isFree(b)) continue;
+      entries.emplace_back(a, b, -k);
+      entries.emplace_back(b, a, -k);
+    }
   }
 
   /// Empty, or why there is no matrix.
   std::string refactor(const DynamicalSystem& system, double t, double h, const State& state) {
-    const Constraints& constraints = *system.constraints();
     const int dimension = system.dimension();
+    std::string failure;
     covered_.assign(covered_.size(), false);
     std::vector<Eigen::Triplet<double>> entries;
-    const auto isFree = [this](int lane) { return inverseMass_[static_cast<std::size_t>(lane)] > 0.0; };
     // Lanes that are no unknowns have rows of their own, and stay.
     for (int i = 0; i < system.storage(); ++i) {
       entries.emplace_back(i, i, isFree(i) ? mass_[static_cast<std::size_t>(i)] / (h * h) : 1.0);
     }
-    for (int j = 0; j < constraints.count(); ++j) {
-      if (!constraints.evaluate(j, t, state.x, state.z, constraint_)) continue;
-      const Constraint& c = constraint_;
-      if (c.kind != Constraint::Kind::Distance || (c.count != dimension && c.count != 2 * dimension)) {
-        return fmt::format("{} takes distances only; constraint {} is none", info_.id, j);
+    const auto add = [&](std::span<const Constraint> constraints) {
+      for (const Constraint& c : constraints) {
+        if (c.kind != Constraint::Kind::Distance || (c.count != dimension && c.count != 2 * dimension)) {
+          failure = fmt::format("{} takes distances only; constraint {} is none", info_.id, c.index);
+          continue;
+        }
+        covered_[static_cast<std::size_t>(c.index)] = true;
+        addDistance(c, h, dimension, entries);
       }
-      if (!(c.compliance > 0.0)) return fmt::format("{}: constraint {} is rigid", info_.id, j);
-      covered_[static_cast<std::size_t>(j)] = true;
-      const double k = 1.0 / c.compliance + c.damping / h;
-      for (int axis = 0; axis < dimension; ++axis) {
-        const int a = c.lane[static_cast<std::size_t>(axis)];
-        if (isFree(a)) entries.emplace_back(a, a, k);
-        if (c.count == dimension) continue;  // the other end is no lane
-        const int b = c.lane[static_cast<std::size_t>(axis + dimension)];
-        if (isFree(b)) entries.emplace_back(b, b, k);
-        if (!isFree(a) || !isFree(b)) continue;
-        entries.emplace_back(a, b, -k);
-        entries.emplace_back(b, a, -k);
-      }
-    }
+    };
+    system.constraints()->evaluate(t, state.x, state.z, std::ref(add));
+    if (!failure.empty()) return failure;
     matrix_.sparse.resize(system.storage(), system.storage());
     matrix_.sparse.setFromTriplets(entries.begin(), entries.end());
     matrix_.symmetric = true;
@@ -147,7 +161,6 @@ class ProjectiveDynamics final : public PositionMethod {
   std::vector<bool> covered_;  // constraints that are in the matrix
   SystemMatrix matrix_;
   LinearSolver solver_;
-  Constraint constraint_;
   Vector residual_, increment_, offset_;
 };
 

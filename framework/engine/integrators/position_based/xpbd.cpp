@@ -22,11 +22,7 @@ MethodInfo xpbdInfo(int substeps) {
   return info;
 }
 
-/// A step of h is cut into substeps; in each the constraints are projected once, in order, with the multiplier
-///
-///     dl = -(C + gamma grad C . (x - x0)) / ((1 + gamma) w + a),   a = 1 / (k h^2), gamma = d / (k h),
-///
-/// multiplied through by k h^2, so that k = 0 (a mere damper) is no special case.
+/// A step of h is cut into substeps; in each the constraints are projected once, in order (ConstraintProjection).
 class Xpbd final : public PositionMethod {
  public:
   explicit Xpbd(int substeps) : PositionMethod(xpbdInfo(substeps)), substeps_(substeps) {
@@ -49,41 +45,12 @@ class Xpbd final : public PositionMethod {
     before_ = state.x;
     for (std::size_t i = 0; i < state.x.size(); ++i) state.x[i] += h * state.v[i];
     system.place(t + h, state.z, state.x, state.v);
-    const Constraints& constraints = *system.constraints();
-    for (int j = 0; j < constraints.count(); ++j) {
-      if (constraints.evaluate(j, t + h, state.x, state.z, constraint_)) project(h, state);
-    }
-  }
-
-  /// The velocity takes each correction over h: (x - before) / h would bring the rounding of x, divided by h, into the
-  /// momentum.
-  void project(double h, State& state) {
-    std::vector<double>& x = state.x;
-    const Constraint& c = constraint_;
-    double w = 0.0, moved = 0.0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
-      const auto u = static_cast<std::size_t>(c.lane[i]);
-      w += c.gradient[i] * c.gradient[i] * inverseMass_[u];
-      if (inverseMass_[u] > 0.0) moved += c.gradient[i] * (x[u] - before_[u]);
-    }
-    double multiplier = 0.0;
-    if (c.compliance > 0.0) {
-      const double stiffness = h * h / c.compliance, damping = h * c.damping;
-      multiplier = -(stiffness * c.value + damping * moved) / ((stiffness + damping) * w + 1.0);
-    } else if (w > 0.0) {
-      multiplier = -c.value / w;
-    }
-    for (std::size_t i = 0; i < static_cast<std::size_t>(c.count); ++i) {
-      const auto u = static_cast<std::size_t>(c.lane[i]);
-      const double correction = multiplier * c.gradient[i] * inverseMass_[u];
-      x[u] += correction;
-      state.v[u] += correction / h;
-    }
+    system.constraints()->project(t + h, state.z,
+                                  {h, inverseMass_.data(), before_.data(), state.x.data(), state.v.data()});
   }
 
   int substeps_;
   std::vector<double> before_;
-  Constraint constraint_;
 };
 
 }  // namespace
