@@ -52,10 +52,9 @@ AccelerationTableau accelerationTableau(const ButcherTableau& tableau, const Coe
 StageIntegrator::StageIntegrator(MethodInfo info, const AccelerationTableau& tableau)
     : info_(std::move(info)),
       c_(rounded(tableau.c)),
-      velocities_(!tableau.av.empty()),
       firstSameAsLast_(tableau.firstSameAsLast) {
   for (std::size_t i = 0; i < c_.size(); ++i) {
-    sums_.emplace_back(tableau.ax[i], velocities_ ? tableau.av[i] : Coefficients{});
+    sums_.emplace_back(tableau.ax[i], tableau.av.empty() ? Coefficients{} : tableau.av[i]);
   }
   sums_.emplace_back(tableau.bx, tableau.bv, tableau.ex, tableau.ev);
 }
@@ -64,6 +63,7 @@ void StageIntegrator::prepare(const DynamicalSystem& system, const Tolerance& to
   tolerance_ = tolerance;
   size_ = static_cast<std::size_t>(system.storage());
   kernels_ = &stageKernels(size_);
+  velocities_ = system.forceUsesVelocity();
   accelerations_.assign(stages() + extra_, size_);
   stage_.assign(2, size_);
   zeros_.assign(size_, 0.0);
@@ -96,10 +96,11 @@ void StageIntegrator::evaluate(const DynamicalSystem& system, double t, Out x, O
 
 void StageIntegrator::provideFirst(const DynamicalSystem& system, const State& from) {
   const bool goesOn = accepted_ && endKnown_ && endMark_.matches(from);
+  const bool again = !accepted_ && startMark_.matches(from);
   accepted_ = endKnown_ = false;
   if (goesOn) {
     swapAccelerations(0, firstSameAsLast_ ? stages() - 1 : stages());
-  } else if (!startMark_.matches(from)) {
+  } else if (!again) {
     system.acceleration(from.t, from.x, from.v, from.z, acceleration(0));
     ++work_.forceEvaluations;
   }
@@ -121,21 +122,29 @@ void StageIntegrator::sum(StageSum& weights, double c, const State& from, double
 
 StageEnd StageIntegrator::advance(const DynamicalSystem& system, const State& from, double h, State& to) {
   prepareResult(from, h, to);
-  const StageBase base{size_, from.x.data(), from.v.data(), h};
   bind(h);
-  for (std::size_t i = 1; i < stages(); ++i) {
-    const bool atEnd = firstSameAsLast_ && i + 1 == stages();
-    double* const x = atEnd ? to.x.data() : stage_.data(0);
-    // A method that needs no velocities is given some all the same.
-    double* const v = velocities_ && atEnd ? to.v.data() : stage_.data(1);
-    kernels_->stage(base, sums_[i].terms(), c_[i], x, velocities_ ? v : nullptr);
-    evaluate(system, from.t + c_[i] * h, {x, size_}, {v, size_}, from.z, i);
+  const StageBase base{size_, from.x.data(), from.v.data(), h};
+  const In z = from.z;
+  const std::size_t count = stages(), atEnd = firstSameAsLast_ ? count - 1 : count;
+  const bool velocities = velocities_;
+  Out x = stage_[0], v = stage_[1];
+  for (std::size_t i = 1; i < count; ++i) {
+    if (i == atEnd) {
+      x = to.x;
+      v = to.v;
+    }
+    // A force that does not use velocities is given some all the same.
+    kernels_->stage(base, sums_[i].terms(), c_[i], x.data(), velocities ? v.data() : nullptr);
+    const double t = from.t + c_[i] * h;
+    system.place(t, z, x, v);
+    system.acceleration(t, x, v, z, acceleration(i));
   }
+  work_.forceEvaluations += static_cast<long long>(count) - 1;
   StageEnd end;
   const StageSum& sum = sums_.back();
   kernels_->end(base, sum.terms(), sum.estimateWeights(), sum.estimates(), tolerance_.relative * errorScale_.position,
                 tolerance_.relative * errorScale_.velocity, to.x.data(), to.v.data(), end);
-  system.place(to.t, from.z, to.x, to.v);
+  system.place(to.t, z, to.x, to.v);
   return end;
 }
 

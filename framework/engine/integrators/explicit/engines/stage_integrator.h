@@ -16,7 +16,7 @@ namespace muelle::engine {
 struct AccelerationTableau {
   Coefficients c;
   std::vector<Coefficients> ax;
-  std::vector<Coefficients> av;  ///< empty: the acceleration does not depend on the velocity
+  std::vector<Coefficients> av;  ///< empty: for accelerations that do not depend on the velocity
   Coefficients bx, bv;
   std::vector<Coefficients> ex, ev;  ///< weights of error estimates, of which there are up to two
   bool firstSameAsLast = false;      ///< the last stage is at the end of the step
@@ -82,7 +82,8 @@ class StageIntegrator : public Integrator {
   MethodInfo info_;
   std::vector<double> c_;
   std::vector<StageSum> sums_;  ///< of each stage, of which the first is empty, and of the end
-  bool velocities_, firstSameAsLast_;
+  bool firstSameAsLast_;
+  bool velocities_ = true;  ///< the force of the system uses them
   Tolerance tolerance_;
   std::size_t extra_ = 1;
   std::size_t size_ = 0;

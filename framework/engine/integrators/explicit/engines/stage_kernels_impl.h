@@ -156,15 +156,21 @@ MUELLE_INLINE inline Sums<B> sumsOf(const StageTerms& terms, std::size_t count, 
   return {x, v};
 }
 
-/// Of all terms.
+/// x = sum wx_j a_j, added to those of the first terms.
 template <class B>
-MUELLE_INLINE inline Sums<B> sumsOf(const StageTerms& terms, std::size_t i) {
-  Sums<B> sums = sumsOf<B>(terms, terms.both, terms.wx, terms.wv, i);
-  B x = sums.x, v = sums.v;
-  std::size_t j = terms.both;
-  for (const std::size_t end = j + terms.positions; j < end; ++j) x = x + terms.wx[j] * B::load(terms.a[j] + i);
-  for (const std::size_t end = j + terms.velocities; j < end; ++j) v = v + terms.wv[j] * B::load(terms.a[j] + i);
-  return {x, v};
+MUELLE_INLINE inline B withPositions(B x, const StageTerms& terms, std::size_t i) {
+  for (std::size_t j = terms.both, end = j + terms.positions; j < end; ++j) {
+    x = x + terms.wx[j] * B::load(terms.a[j] + i);
+  }
+  return x;
+}
+/// v = sum wv_j a_j, the same.
+template <class B>
+MUELLE_INLINE inline B withVelocities(B v, const StageTerms& terms, std::size_t i) {
+  for (std::size_t j = terms.both + terms.positions, end = j + terms.velocities; j < end; ++j) {
+    v = v + terms.wv[j] * B::load(terms.a[j] + i);
+  }
+  return v;
 }
 
 template <std::size_t Lanes, std::size_t N>
@@ -172,11 +178,11 @@ void stage(const StageBase& base, const StageTerms& terms, double c, double* X, 
   const double ch = c * base.h;
   overBlocks<Lanes, N>(base.n, [&](auto kind, std::size_t i) MUELLE_INLINE {
     using B = decltype(kind);
-    const Sums<B> sums = sumsOf<B>(terms, i);
+    const Sums<B> sums = sumsOf<B>(terms, terms.both, terms.wx, terms.wv, i);
     const B v = B::load(base.v + i);
-    const B x = B::load(base.x + i) + (ch * v + sums.x);
+    const B x = B::load(base.x + i) + (ch * v + withPositions(sums.x, terms, i));
     x.store(X + i);
-    if (V != nullptr) (v + sums.v).store(V + i);
+    if (V != nullptr) (v + withVelocities(sums.v, terms, i)).store(V + i);
   });
 }
 
@@ -211,9 +217,9 @@ void end(const StageBase& base, const StageTerms& terms, const StageEstimate* es
   Collected<Lanes> total, largest[2];
   overBlocks<Lanes, N>(base.n, [&](auto kind, std::size_t i) MUELLE_INLINE {
     using B = decltype(kind);
-    const Sums<B> sums = sumsOf<B>(terms, i);
+    const Sums<B> sums = sumsOf<B>(terms, terms.both, terms.wx, terms.wv, i);
     const B v0 = B::load(base.v + i), x0 = B::load(base.x + i);
-    const B x = x0 + (base.h * v0 + sums.x), v = v0 + sums.v;
+    const B x = x0 + (base.h * v0 + withPositions(sums.x, terms, i)), v = v0 + withVelocities(sums.v, terms, i);
     x.store(X + i);
     v.store(V + i);
     total.add(x + v);
