@@ -50,9 +50,8 @@ AccelerationTableau accelerationTableau(const ButcherTableau& tableau, const Coe
 }
 
 StageIntegrator::StageIntegrator(MethodInfo info, const AccelerationTableau& tableau)
-    : info_(std::move(info)),
-      c_(rounded(tableau.c)),
-      firstSameAsLast_(tableau.firstSameAsLast) {
+    : info_(std::move(info)), c_(rounded(tableau.c)), firstSameAsLast_(tableau.firstSameAsLast) {
+  sums_.reserve(c_.size() + 1);
   for (std::size_t i = 0; i < c_.size(); ++i) {
     sums_.emplace_back(tableau.ax[i], tableau.av.empty() ? Coefficients{} : tableau.av[i]);
   }
@@ -79,7 +78,6 @@ void StageIntegrator::restart() {
 
 /// Puts a step's length and the place of accelerations that have changed theirs into the sums of all stages.
 void StageIntegrator::bind(double h) {
-  if (h == h_ && !moved_) return;
   for (StageSum& sum : sums_) {
     if (h != h_) sum.scale(h);
     if (moved_) sum.readFrom(accelerations_.begins());
@@ -99,7 +97,13 @@ void StageIntegrator::provideFirst(const DynamicalSystem& system, const State& f
   const bool again = !accepted_ && startMark_.matches(from);
   accepted_ = endKnown_ = false;
   if (goesOn) {
-    swapAccelerations(0, firstSameAsLast_ ? stages() - 1 : stages());
+    const std::size_t last = firstSameAsLast_ ? stages() - 1 : stages();
+    constexpr std::size_t few = 64;  // lanes, which are copied sooner than all sums are told
+    if (size_ > few) {
+      swapAccelerations(0, last);
+    } else {
+      std::ranges::copy(acceleration(last), acceleration(0).begin());
+    }
   } else if (!again) {
     system.acceleration(from.t, from.x, from.v, from.z, acceleration(0));
     ++work_.forceEvaluations;
@@ -122,7 +126,7 @@ void StageIntegrator::sum(StageSum& weights, double c, const State& from, double
 
 StageEnd StageIntegrator::advance(const DynamicalSystem& system, const State& from, double h, State& to) {
   prepareResult(from, h, to);
-  bind(h);
+  if (h != h_ || moved_) bind(h);
   const StageBase base{size_, from.x.data(), from.v.data(), h};
   const In z = from.z;
   const std::size_t count = stages(), atEnd = firstSameAsLast_ ? count - 1 : count;

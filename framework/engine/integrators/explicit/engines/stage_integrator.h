@@ -5,6 +5,7 @@
 #include "engine/integrators/explicit/engines/step_finish.h"
 #include "engine/integrators/explicit/tableaus.h"
 
+#include <limits>
 #include <vector>
 
 namespace muelle::engine {
@@ -89,9 +90,9 @@ class StageIntegrator : public Integrator {
   std::size_t size_ = 0;
   const StageKernels* kernels_ = nullptr;
   LaneArrays accelerations_;
-  LaneArrays stage_;   ///< x and v of the present one
-  bool moved_ = true;  ///< accelerations have changed their place since bind()
-  double h_ = 0.0;     ///< of bind()
+  LaneArrays stage_;                                     ///< x and v of the present one
+  double h_ = std::numeric_limits<double>::quiet_NaN();  ///< that is in the sums
+  bool moved_ = true;                                    ///< accelerations have changed their places since bind()
   std::vector<double> zeros_;
   StateMark startMark_, endMark_;
   bool accepted_ = false, endKnown_ = false;

@@ -7,7 +7,8 @@
 
 /// A block stays in registers only where nothing is called.
 #define MUELLE_INLINE __attribute__((always_inline))
-#define MUELLE_UNROLL _Pragma("GCC unroll 4")
+/// The next statement for each register k of a block.
+#define MUELLE_EACH_PART _Pragma("GCC unroll 4") for (std::size_t k = 0; k != Count; ++k)
 
 namespace muelle::engine {
 
@@ -42,27 +43,25 @@ struct Block {
 
   MUELLE_INLINE static Block zero() {
     Block block;
-    MUELLE_UNROLL for (std::size_t k = 0; k != Count; ++k) block.part[k] = Register<Lanes>{};
+    MUELLE_EACH_PART { block.part[k] = Register<Lanes>{}; }
     return block;
   }
   MUELLE_INLINE static Block load(const double* p) {
     Block block;
-    MUELLE_UNROLL for (std::size_t k = 0; k != Count; ++k) block.part[k] =
-        *reinterpret_cast<const Register<Lanes>*>(p + k * Lanes);
+    MUELLE_EACH_PART { block.part[k] = *reinterpret_cast<const Register<Lanes>*>(p + k * Lanes); }
     return block;
   }
   MUELLE_INLINE void store(double* p) const {
-    MUELLE_UNROLL for (std::size_t k = 0; k != Count; ++k) * reinterpret_cast<Register<Lanes>*>(p + k * Lanes) =
-        part[k];
+    MUELLE_EACH_PART { *reinterpret_cast<Register<Lanes>*>(p + k * Lanes) = part[k]; }
   }
   MUELLE_INLINE friend Block operator+(const Block& a, const Block& b) {
     Block sum;
-    MUELLE_UNROLL for (std::size_t k = 0; k != Count; ++k) sum.part[k] = a.part[k] + b.part[k];
+    MUELLE_EACH_PART { sum.part[k] = a.part[k] + b.part[k]; }
     return sum;
   }
   MUELLE_INLINE friend Block operator*(double a, const Block& b) {
     Block product;
-    MUELLE_UNROLL for (std::size_t k = 0; k != Count; ++k) product.part[k] = a * b.part[k];
+    MUELLE_EACH_PART { product.part[k] = a * b.part[k]; }
     return product;
   }
 };
@@ -117,13 +116,13 @@ struct Collected {
   template <std::size_t Count>
   MUELLE_INLINE static Register<Lanes> sumOf(const Block<Lanes, Count>& block) {
     Register<Lanes> sum = block.part[0];
-    MUELLE_UNROLL for (std::size_t k = 1; k != Count; ++k) sum = sum + block.part[k];
+    for (std::size_t k = 1; k < Count; ++k) sum = sum + block.part[k];
     return sum;
   }
   template <std::size_t Count>
   MUELLE_INLINE static Register<Lanes> largest(const Block<Lanes, Count>& block) {
     Register<Lanes> most = block.part[0];
-    MUELLE_UNROLL for (std::size_t k = 1; k != Count; ++k) most = block.part[k] > most ? block.part[k] : most;
+    for (std::size_t k = 1; k < Count; ++k) most = block.part[k] > most ? block.part[k] : most;
     return most;
   }
   MUELLE_INLINE double lane(std::size_t k) const {
@@ -190,7 +189,7 @@ void stage(const StageBase& base, const StageTerms& terms, double c, double* X, 
 template <std::size_t Lanes, std::size_t Count>
 MUELLE_INLINE inline Block<Lanes, Count> scaleOf(Block<Lanes, Count> from, Block<Lanes, Count> to, double allowed) {
   constexpr double rounding = 4.0 * 2.220446049250313e-16;
-  MUELLE_UNROLL for (std::size_t k = 0; k != Count; ++k) {
+  MUELLE_EACH_PART {
     auto &a = from.part[k], &b = to.part[k];
     a = a < 0.0 ? -a : a;
     b = b < 0.0 ? -b : b;
@@ -203,7 +202,7 @@ MUELLE_INLINE inline Block<Lanes, Count> scaleOf(Block<Lanes, Count> from, Block
 /// |error| scale
 template <std::size_t Lanes, std::size_t Count>
 MUELLE_INLINE inline Block<Lanes, Count> ratioOf(Block<Lanes, Count> error, const Block<Lanes, Count>& scale) {
-  MUELLE_UNROLL for (std::size_t k = 0; k != Count; ++k) {
+  MUELLE_EACH_PART {
     auto& e = error.part[k];
     e = e < 0.0 ? -e : e;
     e = e * scale.part[k];

@@ -18,6 +18,7 @@ StageSum::StageSum(const Coefficients& wx, const Coefficients& wv, const std::ve
   for (std::size_t e = 0; e < estimates_; ++e) all.insert(all.end(), {&ex[e], &ev[e]});
   std::size_t most = 0;
   for (const Coefficients* weights : all) most = std::max(most, weights->size());
+  stages_.reserve(most);
   const auto take = [&](bool inPositions, bool inVelocities) {
     const std::size_t before = stages_.size();
     for (std::size_t j = 0; j < most; ++j) {
@@ -32,22 +33,22 @@ StageSum::StageSum(const Coefficients& wx, const Coefficients& wv, const std::ve
   take(false, false);
   terms_.count = stages_.size();
   if (terms_.count > mostStageTerms) throw std::logic_error("StageSum: more stages than the kernels take");
+  unscaled_.reserve(all.size() * terms_.count);
   for (const Coefficients* weights : all) {
-    std::vector<double>& numbers = unscaled_.emplace_back();
-    for (const std::size_t j : stages_) numbers.push_back(static_cast<double>(at(*weights, j)));
+    for (const std::size_t j : stages_) unscaled_.push_back(static_cast<double>(at(*weights, j)));
   }
   scaled_ = unscaled_;
-  terms_.wx = scaled_[0].data();
-  terms_.wv = scaled_[1].data();
-  for (std::size_t e = 0; e < estimates_; ++e) {
-    weights_[e] = {scaled_[2 + 2 * e].data(), scaled_[3 + 2 * e].data()};
-  }
+  const auto row = [this](std::size_t k) { return scaled_.data() + k * terms_.count; };
+  terms_.wx = row(0);
+  terms_.wv = row(1);
+  for (std::size_t e = 0; e < estimates_; ++e) weights_[e] = {row(2 + 2 * e), row(3 + 2 * e)};
 }
 
 void StageSum::scale(double h) {
-  for (std::size_t k = 0; k < unscaled_.size(); ++k) {
-    const double factor = k % 2 == 0 ? h * h : h;
-    std::ranges::transform(unscaled_[k], scaled_[k].begin(), [factor](double weight) { return factor * weight; });
+  const std::size_t count = terms_.count;
+  for (std::size_t i = 0; i < unscaled_.size(); i += 2 * count) {
+    for (std::size_t j = i; j < i + count; ++j) scaled_[j] = h * h * unscaled_[j];
+    for (std::size_t j = i + count; j < i + 2 * count; ++j) scaled_[j] = h * unscaled_[j];
   }
 }
 

@@ -14,7 +14,7 @@ class StageSum {
   /// \param ex, ev the same of estimates
   StageSum(const Coefficients& wx, const Coefficients& wv, const std::vector<Coefficients>& ex = {},
            const std::vector<Coefficients>& ev = {});
-  StageSum(StageSum&&) = default;  // no copy: terms_ points into scaled_
+  StageSum(StageSum&&) = default;  // no copy: terms_ points into vectors
   StageSum& operator=(StageSum&&) = default;
 
   /// Says where the accelerations are now.
@@ -32,8 +32,8 @@ class StageSum {
   StageTerms terms_;
   StageEstimate weights_[2] = {};
   std::vector<std::size_t> stages_;
-  std::vector<std::vector<double>> unscaled_;  ///< wx, wv, and ex, ev of each estimate
-  std::vector<std::vector<double>> scaled_;    ///< by h^2, h, h^2, h ...
+  std::vector<double> unscaled_;  ///< all wx, all wv, and ex, ev of each estimate
+  std::vector<double> scaled_;    ///< by h^2, h, h^2, h ...
 };
 
 }  // namespace muelle::engine
