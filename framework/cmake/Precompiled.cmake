@@ -14,8 +14,8 @@ function(muelle_precompiled_target target useful)
     <string> <vector>)
 endfunction()
 
-# One for each optimisation level, for GCC takes the level from the header, whatever the command line says; and one for
-# what is compiled for a student's file, whose Eigen objects are filled. GoogleTest is in those of tests only: what its own
+# One for each optimisation level, for GCC takes the level from the header, whatever the command line says; one for the
+# engine, where Eigen asserts nothing; and one for what is compiled for a student's file, whose Eigen objects are filled. GoogleTest is in those of tests only: what its own
 # functions need of templates GCC makes again for every source that reads the header, used or not, which takes as long as
 # all the rest of a small source.
 function(muelle_make_precompiled_headers)
@@ -24,6 +24,7 @@ function(muelle_make_precompiled_headers)
   endif()
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/precompiled.cpp CONTENT "")
   muelle_precompiled_target(muelle_precompiled "")
+  muelle_precompiled_target(muelle_precompiled_engine "" ${MUELLE_ENGINE})
   muelle_precompiled_target(muelle_precompiled_light "" ${MUELLE_LIGHT})
   muelle_precompiled_target(muelle_precompiled_tests <gtest/gtest.h> ${MUELLE_LIGHT})
   muelle_precompiled_target(muelle_precompiled_filled <gtest/gtest.h> ${MUELLE_LIGHT})
@@ -38,6 +39,8 @@ function(muelle_fitting_header target result)
   set(header muelle_precompiled)
   if(MUELLE_FILL_DEFINE IN_LIST definitions)
     set(header muelle_precompiled_filled)
+  elseif(options MATCHES "EIGEN_NO_DEBUG")
+    set(header muelle_precompiled_engine)
   elseif(MUELLE_LIGHT IN_LIST options)
     set(header muelle_precompiled_light)
     if(libraries MATCHES "GTest::|muelle_hidden_main")

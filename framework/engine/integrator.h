@@ -24,7 +24,8 @@ struct ErrorScale {
 
 /// What became of a step.
 struct StepResult {
-  bool done = true;     ///< false: the step could not be taken; `to` is then meaningless
+  /// True: all numbers of `to` are finite, nobody looks again. False: the step could not be taken, `to` is meaningless.
+  bool done = true;
   double error = 0.0;   ///< estimated local error over the tolerance; at most 1 is good. 0 without an estimate
   std::string failure;  ///< one line when not done: what failed, and by how much
   bool retry = true;    ///< when not done: whether a shorter step is worth a try

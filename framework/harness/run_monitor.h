@@ -1,6 +1,5 @@
 #pragma once
 #include "harness/dynamical_system.h"
-#include "harness/probes.h"
 #include "harness/trajectory.h"
 
 #include <functional>
@@ -24,15 +23,18 @@ class RunMonitor {
   StopReport checkStart(const State& start);
   /// Checks the state after a step from `before`. Allocates nothing while all is well.
   StopReport checkStep(const State& before, const State& after);
+  /// The same of a state whose numbers should be finite, for the method looks at them: whether its energy explodes. The
+  /// numbers are looked at only when the energy is none.
+  StopReport checkEnergy(const State& before, const State& after);
 
  private:
+  StopReport checkFinite(const State& before, const State& after);
   StopReport notFinite(double t, std::size_t unknown, const char* what) const;
   StopReport exploded(const State& state, double energy) const;
   /// Whether the forces at the state are finite; a report when they are not.
   StopReport checkForce(const State& state);
 
   const DynamicalSystem& system_;
-  Probe kineticEnergy_;
   std::function<double(const State&)> potentialEnergy_;
   double explosion_;
   double duration_;

@@ -1,15 +1,25 @@
 /// \file
 /// What a step costs beside the force: each method against a loop written by hand for it and the same force, in turns
-/// in one run, medians of the ratios of pairs. At 3 unknowns (a spring pendulum) the ratio of the two times; at 300 (a
-/// chain of 100 nodes) the method's time less that of its forces, in parts of the plain force, per evaluation.
+/// in one run, medians of the ratios of pairs with the interval of the median. At 3 unknowns (a spring pendulum) the
+/// ratio of the two times; at 300 (a chain of 100 nodes) the method's time less that of its forces, in parts of the
+/// plain force, per evaluation.
+///
+/// Each pair has its arrays elsewhere in memory: whether two of them lie a multiple of 4 KiB apart, or begin a line of
+/// the cache, is worth a tenth, and is luck. So is where the program itself lies, by whose addresses the processor
+/// tells its loads and branches apart: at 3 unknowns that is worth a third, so that the pairs are those of several
+/// processes.
 
 #include "engine/integrators/catalogue.h"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <ctime>
 #include <functional>
+#include <map>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace {
@@ -96,9 +106,38 @@ double seconds(const std::function<void()>& work) {
   return now() - start;
 }
 
-double median(std::vector<double> values) {
+constexpr int pairs = 21, processes = 9;
+
+/// The median, and the interval in which the true one lies in 95 of 100 cases.
+struct Median {
+  double value, low, high;
+};
+Median median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
+  const auto n = static_cast<double>(values.size());
+  const auto reach = static_cast<std::size_t>(std::ceil(0.98 * std::sqrt(n)));
+  const std::size_t middle = values.size() / 2;
+  return {values[middle], values[middle - reach], values[middle + reach]};
+}
+
+constexpr const char* large[] = {"symplectic_euler", "velocity_verlet", "runge_kutta_4", "takahashi_imada",
+                                 "dop853",           "rkn64",           "nystrom8",      "nystrom12"};
+
+/// What pairs of one comparison gave: ratio of times, and both times [ns].
+struct Pairs {
+  std::vector<double> ratios, ours, others;
+};
+/// By the comparison's name.
+using Results = std::map<std::string, Pairs>;
+
+/// Memory that moves what is allocated after it, by another distance for each pair.
+std::vector<double> gap(int pair) { return std::vector<double>(static_cast<std::size_t>(pair * 37 % 509)); }
+
+/// The same of the stack: runs the work in a place of its own.
+void elsewhere(int pair, const std::function<void()>& work) {
+  auto* const unused = static_cast<volatile char*>(__builtin_alloca(static_cast<std::size_t>(pair * 592 % 4093 + 16)));
+  unused[0] = 0;
+  work();
 }
 
 /// `steps` steps of a method by hand; N lanes, 0: as many as the arrays have.
@@ -143,79 +182,101 @@ struct ByHand {
   }
 };
 
-constexpr int pairs = 31;
-
+/// One pair; its ratio is our time over the loop's.
 template <std::size_t Nodes>
 void byHand(const char* id, void (ByHand<3 * Nodes>::*handStep)(double)) {
   const System system(Nodes, false);
+  const double h = 1e-3;
+  const int steps = 10000;
   const auto method = engine::makeMethod(id);
   method->prepare(system, {});
-  const double h = 1e-3;
-  const int steps = 20000;
-  std::vector<double> ratios;
-  double ours = 0.0;
-  for (int p = 0; p < pairs; ++p) {
-    State state = startOf(Nodes), next = state;
-    State *from = &state, *to = &next;
-    ByHand<3 * Nodes> hand(system.chain(), state);
-    method->restart();
-    ours = seconds([&] {
-      for (int n = 0; n < steps; ++n) {
-        method->step(system, *from, h, *to);
-        method->accept();
-        std::swap(from, to);
-      }
-    });
-    const double plain = seconds([&] {
-      for (int n = 0; n < steps; ++n) (hand.*handStep)(h);
-    });
-    if (std::abs(hand.x[0] - from->x[0]) > 1e-9) fmt::print("{}: not the same motion\n", id);
-    ratios.push_back(ours / plain);
-  }
-  fmt::print("{:>4} unknowns {:<18} {:.2f} x the loop by hand; {:.1f} ns a step\n", 3 * Nodes, id, median(ratios),
-             1e9 * ours / steps);
+  State state = startOf(Nodes), next = state;
+  State *from = &state, *to = &next;
+  ByHand<3 * Nodes> hand(system.chain(), state);
+  const double ours = seconds([&] {
+    for (int n = 0; n < steps; ++n) {
+      method->step(system, *from, h, *to);
+      method->accept();
+      std::swap(from, to);
+    }
+  });
+  const double plain = seconds([&] {
+    for (int n = 0; n < steps; ++n) (hand.*handStep)(h);
+  });
+  if (std::abs(hand.x[0] - from->x[0]) > 1e-9) throw std::logic_error(fmt::format("{}: not the same motion", id));
+  fmt::print("small {} {} {} {}\n", id, ours / plain, 1e9 * ours / steps, 1e9 * plain / steps);
 }
 
+/// One pair; its ratio is our time less the forces', over the forces'.
 void besideTheForce(const char* id) {
-  const bool damped = !engine::methodInfo(id).needs.velocityFreeForce;
-  const System system(100, damped);
+  const System system(100, !engine::methodInfo(id).needs.velocityFreeForce);
+  const double h = 1e-3;
   const auto method = engine::makeMethod(id);
   method->prepare(system, {});
-  std::vector<double> ratios, absolute, forces;
-  const double h = 1e-3;
+  State state = startOf(100), next = state;
+  State *from = &state, *to = &next;
+  const double ours = seconds([&] {
+    for (int n = 0; n < 200; ++n) {
+      method->step(system, *from, h, *to);
+      method->accept();
+      std::swap(from, to);
+    }
+  });
+  const auto evaluations = method->work().forceEvaluations;
+  std::vector<double> a(300);
+  const double force = seconds([&] {
+    for (long long n = 0; n < evaluations; ++n) system.acceleration(0.0, state.x, state.v, state.z, a);
+  });
+  const double each = 1e9 / static_cast<double>(evaluations);
+  fmt::print("large {} {} {} {}\n", id, ours / force - 1.0, each * (ours - force), each * force);
+}
+
+/// What a process of its own does: a line for each pair.
+void measure() {
   for (int p = 0; p < pairs; ++p) {
-    State state = startOf(100), next = state;
-    State *from = &state, *to = &next;
-    method->restart();
-    method->resetWork();
-    const double ours = seconds([&] {
-      for (int n = 0; n < 400; ++n) {
-        method->step(system, *from, h, *to);
-        method->accept();
-        std::swap(from, to);
-      }
+    const std::vector<double> unused = gap(p);
+    elsewhere(p, [] {
+      byHand<1>("symplectic_euler", &ByHand<3>::symplectic_euler);
+      byHand<1>("velocity_verlet", &ByHand<3>::velocity_verlet);
+      byHand<1>("runge_kutta_4", &ByHand<3>::runge_kutta_4);
+      for (const char* id : large) besideTheForce(id);
     });
-    const auto evaluations = method->work().forceEvaluations;
-    std::vector<double> a(300);
-    const double force = seconds([&] {
-      for (long long n = 0; n < evaluations; ++n) system.acceleration(0.0, state.x, state.v, state.z, a);
-    });
-    ratios.push_back(ours / force - 1.0);
-    absolute.push_back(1e9 * (ours - force) / static_cast<double>(evaluations));
-    forces.push_back(1e9 * force / static_cast<double>(evaluations));
   }
-  fmt::print(" 300 unknowns {:<18} {:.2f} of the plain force ({}, {:.0f} ns) beside it, {:.0f} ns an evaluation\n", id,
-             median(ratios), damped ? "damped" : "undamped", median(forces), median(absolute));
+}
+
+/// What the pairs of a process gave.
+void collect(const std::string& program, Results& results) {
+  FILE* const lines = popen((program + " pairs").c_str(), "r");
+  if (lines == nullptr) throw std::runtime_error("cannot start " + program);
+  char size[16], id[64];
+  double ratio, ours, other;
+  while (std::fscanf(lines, "%15s %63s %lf %lf %lf", size, id, &ratio, &ours, &other) == 5) {
+    Pairs& all = results[fmt::format("{} {}", size, id)];
+    all.ratios.push_back(ratio);
+    all.ours.push_back(ours);
+    all.others.push_back(other);
+  }
+  if (pclose(lines) != 0) throw std::runtime_error("a process that measures has failed");
 }
 
 }  // namespace
 
-int main() {
-  byHand<1>("symplectic_euler", &ByHand<3>::symplectic_euler);
-  byHand<1>("velocity_verlet", &ByHand<3>::velocity_verlet);
-  byHand<1>("runge_kutta_4", &ByHand<3>::runge_kutta_4);
-  for (const char* id : {"symplectic_euler", "velocity_verlet", "runge_kutta_4", "takahashi_imada", "dop853", "rkn64",
-                         "nystrom8", "nystrom12"}) {
-    besideTheForce(id);
+int main(int argc, char** argv) {
+  if (argc > 1) return measure(), 0;
+  Results results;
+  for (int i = 0; i < processes; ++i) collect(argv[0], results);
+  for (const char* id : {"symplectic_euler", "velocity_verlet", "runge_kutta_4"}) {
+    const Pairs& all = results.at(fmt::format("small {}", id));
+    const Median ratio = median(all.ratios);
+    fmt::print("   3 unknowns {:<18} {:.2f} ({:.2f} to {:.2f}) x the loop by hand; {:.1f} ns a step\n", id, ratio.value,
+               ratio.low, ratio.high, median(all.ours).value);
+  }
+  for (const char* id : large) {
+    const Pairs& all = results.at(fmt::format("large {}", id));
+    const Median ratio = median(all.ratios);
+    fmt::print(
+        " 300 unknowns {:<18} {:.2f} ({:.2f} to {:.2f}) of the plain force ({:.0f} ns) beside it, {:.0f} ns an "
+        "evaluation\n",
+        id, ratio.value, ratio.low, ratio.high, median(all.others).value, median(all.ours).value);
   }
 }

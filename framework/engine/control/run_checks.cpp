@@ -7,14 +7,18 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace muelle::engine {
 
 namespace {
 
-void require(bool holds, const std::string& message) {
-  if (!holds) throw std::invalid_argument("simulate: " + message);
+/// The message is put together only when it is needed: short runs would take longer for that than for their steps.
+template <class... Arguments>
+void require(bool holds, fmt::format_string<Arguments...> message, Arguments&&... arguments) {
+  if (holds) return;
+  throw std::invalid_argument("simulate: " + fmt::format(message, std::forward<Arguments>(arguments)...));
 }
 
 bool isPositive(double value) { return value > 0.0 && std::isfinite(value); }
@@ -22,18 +26,16 @@ bool isPositive(double value) { return value > 0.0 && std::isfinite(value); }
 void checkStep(const StepOptions& options, bool adaptive) {
   if (adaptive) {
     require(options.h == 0.0 || isPositive(options.h),
-            fmt::format("the first step h is {} s; it must be positive and finite, or 0 to be chosen", options.h));
-    require(options.largestStep > 0.0,
-            fmt::format("largestStep is {} s; it must be positive (infinite: no limit)", options.largestStep));
+            "the first step h is {} s; it must be positive and finite, or 0 to be chosen", options.h);
+    require(options.largestStep > 0.0, "largestStep is {} s; it must be positive (infinite: no limit)",
+            options.largestStep);
     const double tolerance = options.tolerance.relative;
     require(tolerance > 0.0 && tolerance <= 1.0,
-            fmt::format("the tolerance is {}; it bounds the error of a step in parts of the motion: above 0, at most 1",
-                        tolerance));
+            "the tolerance is {}; it bounds the error of a step in parts of the motion: above 0, at most 1", tolerance);
     return;
   }
-  require(isPositive(options.h), fmt::format("the step h is {} s; it must be positive and finite", options.h));
-  require(options.duration / options.h < 1e12,
-          fmt::format("{} s in steps of {} s are too many steps", options.duration, options.h));
+  require(isPositive(options.h), "the step h is {} s; it must be positive and finite", options.h);
+  require(options.duration / options.h < 1e12, "{} s in steps of {} s are too many steps", options.duration, options.h);
 }
 
 /// \param times of outputs [s]
@@ -41,8 +43,7 @@ void checkTimes(const std::vector<double>& times, const State& start, double dur
   double before = start.t;
   for (const double t : times) {
     require(t >= before && t <= start.t + duration,
-            fmt::format("the output time {} s is out of order or outside the run from {} to {} s", t, start.t,
-                        start.t + duration));
+            "the output time {} s is out of order or outside the run from {} to {} s", t, start.t, start.t + duration);
     before = t;
   }
 }
@@ -51,24 +52,22 @@ void checkTimes(const std::vector<double>& times, const State& start, double dur
 
 void checkOutputOptions(const RunOptions& options, const State& start) {
   require(options.outputInterval >= 0.0 && std::isfinite(options.outputInterval),
-          fmt::format("outputInterval is {} s; it must be positive, or 0 for every step", options.outputInterval));
+          "outputInterval is {} s; it must be positive, or 0 for every step", options.outputInterval);
   require(options.outputInterval == 0.0 || options.duration / options.outputInterval < 1e9,
-          fmt::format("{} s with an output every {} s are too many outputs", options.duration, options.outputInterval));
+          "{} s with an output every {} s are too many outputs", options.duration, options.outputInterval);
   checkTimes(options.sampleTimes, start, options.duration);
   for (const Probe& probe : options.probes) {
-    require(static_cast<bool>(probe.measure), "the probe '" + probe.name + "' has no function");
+    require(static_cast<bool>(probe.measure), "the probe '{}' has no function", probe.name);
   }
 }
 
 void checkStepOptions(const StepOptions& options, const State& start, bool adaptive) {
-  require(isPositive(options.duration),
-          fmt::format("the duration is {} s; it must be positive and finite", options.duration));
-  require(
-      start.t + options.duration > start.t,
-      fmt::format("the duration of {} s is lost in the rounding of the start time {} s", options.duration, start.t));
+  require(isPositive(options.duration), "the duration is {} s; it must be positive and finite", options.duration);
+  require(start.t + options.duration > start.t, "the duration of {} s is lost in the rounding of the start time {} s",
+          options.duration, start.t);
   checkStep(options, adaptive);
   checkTimes(options.outputTimes, start, options.duration);
-  require(options.explosion > 0.0, fmt::format("explosion is {}; it must be positive", options.explosion));
+  require(options.explosion > 0.0, "explosion is {}; it must be positive", options.explosion);
   require(options.mostSteps > 0 && options.mostForceEvaluations > 0,
           "the limits of steps and force evaluations must "
           "be positive");
@@ -77,34 +76,38 @@ void checkStepOptions(const StepOptions& options, const State& start, bool adapt
 void checkForesight(const DynamicalSystem& system, const MethodInfo& method, const StepOptions& options) {
   const bool blind = method.adaptive && !options.fixedStep && system.hasUnannouncedForce();
   require(!blind || std::isfinite(options.largestStep),
-          fmt::format("a force changes with time without declared times, and {} could step over it; set largestStep "
-                      "below the shortest thing that the force does, or declare the times at which it jumps",
-                      method.name));
+          "a force changes with time without declared times, and {} could step over it; set largestStep "
+          "below the shortest thing that the force does, or declare the times at which it jumps",
+          method.name);
 }
 
 void checkRodsAreHeld(const DynamicalSystem& system, const MethodInfo& method) {
   require(system.rods().empty() || method.holdsRods,
-          fmt::format("{} does not hold rods, and the scene has {}; use the method 'rattle', or give the springs a "
-                      "stiffness k in place of rod = true",
-                      method.id, system.rods().size()));
+          "{} does not hold rods, and the scene has {}; use the method 'rattle', or give the springs a "
+          "stiffness k in place of rod = true",
+          method.id, system.rods().size());
 }
 
 void checkSizes(const DynamicalSystem& system, const State& start) {
   const auto size = static_cast<std::size_t>(system.storage());
   require(system.size() > 0, "the system has no unknown");
-  require(start.x.size() == size && start.v.size() == size,
-          fmt::format("the state has {} and {}, the system {}", counted(std::ssize(start.x), "position"),
-                      counted(std::ssize(start.v), "velocity", "velocities"), counted(system.storage(), "lane")));
+  if (start.x.size() != size || start.v.size() != size) {
+    require(false, "the state has {} and {}, the system {}", counted(std::ssize(start.x), "position"),
+            counted(std::ssize(start.v), "velocity", "velocities"), counted(system.storage(), "lane"));
+  }
   const auto internal = static_cast<std::size_t>(system.internalSize());
-  require(start.z.empty() || start.z.size() == internal,
-          fmt::format("the state has {}, the system {}", counted(std::ssize(start.z), "internal variable"), internal));
+  if (!start.z.empty() && start.z.size() != internal) {
+    require(false, "the state has {}, the system {}", counted(std::ssize(start.z), "internal variable"), internal);
+  }
   const std::span<const double> mass = system.mass();
-  require(mass.size() == size,
-          fmt::format("{} for {}", counted(std::ssize(mass), "mass", "masses"), counted(system.storage(), "lane")));
+  if (mass.size() != size) {
+    require(false, "{} for {}", counted(std::ssize(mass), "mass", "masses"), counted(system.storage(), "lane"));
+  }
   for (int i = 0; i < system.size(); ++i) {
     const double m = mass[laneOf(system, i)];
-    require(isPositive(m),
-            fmt::format("{}: the mass is {} kg; a mass is positive and finite", system.unknownName(i), m));
+    if (!isPositive(m)) {
+      require(false, "{}: the mass is {} kg; a mass is positive and finite", system.unknownName(i), m);
+    }
   }
   require(std::isfinite(start.t), "the start time is not finite");
 }

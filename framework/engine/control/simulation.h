@@ -107,6 +107,7 @@ class Simulation {
   void prepareAgain();
   bool limitsHold();
   bool take(PlannedStep& step);
+  bool looksAtEnergy() const;
   bool retryFailed(const PlannedStep& step, const StepResult& result);
   bool retryInexact(const PlannedStep& step, const StepResult& result);
   void cutAtObstacles(PlannedStep& step);

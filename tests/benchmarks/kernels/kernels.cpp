@@ -1,11 +1,13 @@
 /// \file
 /// Spring kernels against the plain loop over springs, and against springs that are objects, in turns in one run, one
-/// line each: the ratio of their times. "plain/grid" is the time of the plain loop over that of the grid's kernel.
-/// Times are those that the thread computed.
+/// line each: the ratio of their times. "plain/grid" is the time of the plain loop over that of the grid's kernel;
+/// "through the engine" that of steps of symplectic Euler, the plain loop's by hand over those of a simulation of the
+/// built model with its checks. Times are those that the thread computed.
 
 #include "cloth.h"
 #include "pairs.h"
 #include "plain_loop.h"
+#include "steps.h"
 #include "virtual_springs.h"
 
 #include "engine/kernels/grid_search.h"
@@ -114,14 +116,14 @@ class Grid {
 class Table final : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override {
-    fmt::print("{:<42} {:>6}  {:<14} {:>7}  {}\n", "times", "ratio", "interval", "bar",
+    fmt::print("{:<52} {:>6}  {:<14} {:>7}  {}\n", "times", "ratio", "interval", "bar",
                "ns a spring, first and second");
     return true;
   }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
       if (run.error_occurred) {
-        fmt::print("{:<42} {}\n", run.run_name.function_name, run.error_message);
+        fmt::print("{:<52} {}\n", run.run_name.function_name, run.error_message);
         continue;
       }
       const auto of = [&](const char* name) { return run.counters.at(name).value; };
@@ -129,7 +131,7 @@ class Table final : public benchmark::BenchmarkReporter {
       const std::string bound = bar > 0.0   ? fmt::format(">= {:.2f}", bar)
                                 : bar < 0.0 ? fmt::format("<= {:.2f}", -bar)
                                             : "";
-      fmt::print("{:<42} {:6.2f}  {:5.2f} to {:5.2f} {:>7}  {:.2f} {:.2f}\n", run.run_name.function_name, of("ratio"),
+      fmt::print("{:<52} {:6.2f}  {:5.2f} to {:5.2f} {:>7}  {:.2f} {:.2f}\n", run.run_name.function_name, of("ratio"),
                  of("from"), of("to"), bound, of("ns_first"), of("ns_second"));
       std::fflush(stdout);
     }
@@ -175,6 +177,17 @@ std::function<Ratio()> againstPlain(int n, bool damped, kernels::InstructionSet 
   };
 }
 
+/// \param isGrid nodes in their order, in which the program finds a grid; else shuffled
+std::function<Ratio()> stepsAgainstPlain(int n, bool damped, kernels::InstructionSet set, bool isGrid) {
+  return [=] {
+    kernels::useInstructionSet(set);
+    const Cloth cloth = makeCloth(n, damped);
+    PlainSteps plain(cloth, damped, plainLoops(set));
+    EngineSteps engine(isGrid ? cloth : shuffled(cloth));
+    return ratioOfTimes([&] { plain.step(); }, [&] { engine.step(); });
+  };
+}
+
 constexpr int sides[3] = {32, 256, 1024};
 
 void addAll() {
@@ -187,6 +200,8 @@ void addAll() {
             fmt::format("{}/{}/{}", kernels::nameOf(set), damped ? "damped" : "undamped", sides[i]);
         add("plain/general/" + tail, count, bars.general[i], againstPlain<General>(sides[i], damped, set, true));
         add("plain/grid/" + tail, count, bars.grid[i], againstPlain<Grid>(sides[i], damped, set, false));
+        add("plain/general, through the engine/" + tail, count, 0.0, stepsAgainstPlain(sides[i], damped, set, false));
+        add("plain/grid, through the engine/" + tail, count, 0.0, stepsAgainstPlain(sides[i], damped, set, true));
       }
     }
   }

@@ -253,7 +253,9 @@ TEST_P(Every, InterpolatesAtItsOrder) {
   method->interpolate(system, start, to, 0.0, begin);
   method->interpolate(system, start, to, 1.0, end);
   EXPECT_LT(distance(begin, start), 1e-15);
-  EXPECT_LT(distance(end, to), 4e-15);
+  // A part of 1 of the step is another h by its rounding, to which weights are rounded anew: those of nystrom12, up to
+  // 300, half a unit in the last place each, as many at random, in stages that enter with h^2 a times 0.2 (h omega)^2.
+  EXPECT_LT(distance(end, to), order > 8 ? 2e-14 : 4e-15);
 }
 
 // The estimate is of the embedded order, and bounds the true local error where it is small.

@@ -83,7 +83,8 @@ class DormandPrince853 : public ExplicitRungeKutta {
       all += weights[j];
     }
     prepareResult(from, theta * h, out);
-    sum(StageSum(squared(weights, rows_), weights), static_cast<double>(all), from, h, out.x, out.v);
+    StageSum inside(squared(weights, rows_), weights);
+    sum(inside, static_cast<double>(all), from, h, out.x, out.v);
     system.place(out.t, from.z, out.x, out.v);
   }
 

@@ -48,7 +48,8 @@ class DormandPrince5 : public ExplicitRungeKutta {
     }
     const double h = to.t - from.t;
     prepareResult(from, theta * h, out);
-    sum(StageSum(squared(weights, tableau_.a), weights), static_cast<double>(all), from, h, out.x, out.v);
+    StageSum inside(squared(weights, tableau_.a), weights);
+    sum(inside, static_cast<double>(all), from, h, out.x, out.v);
     system.place(out.t, from.z, out.x, out.v);
   }
 

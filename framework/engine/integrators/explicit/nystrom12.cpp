@@ -168,6 +168,6 @@ NystromTableau nystrom12Tableau() {
   };
 }
 
-std::unique_ptr<Integrator> nystrom12() { return std::make_unique<Nystrom>(nystrom12Info(), nystrom12Tableau()); }
+std::unique_ptr<Integrator> nystrom12() { return std::make_unique<Nystrom>(nystrom12Info(), nystrom12Tableau); }
 
 }  // namespace muelle::engine

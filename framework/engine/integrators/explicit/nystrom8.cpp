@@ -52,6 +52,6 @@ NystromTableau nystrom8Tableau() {
   };
 }
 
-std::unique_ptr<Integrator> nystrom8() { return std::make_unique<Nystrom>(nystrom8Info(), nystrom8Tableau()); }
+std::unique_ptr<Integrator> nystrom8() { return std::make_unique<Nystrom>(nystrom8Info(), nystrom8Tableau); }
 
 }  // namespace muelle::engine

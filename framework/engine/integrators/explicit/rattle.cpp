@@ -104,14 +104,15 @@ class Rattle final : public Integrator {
     kick_.start(system, from, work_);
     prepareResult(from, h, to);
     const Eigen::Map<const Vector> v0(from.v.data(), dx_.size());
-    const Eigen::Map<const Vector> a(kick_.acceleration(), dx_.size());
+    const auto present = [&] { return Eigen::Map<const Vector>(kick_.acceleration(), dx_.size()); };
+    const Eigen::Map<const Vector> a = present();
     dx_ = h * (v0 + (0.5 * h) * a);
     dv_ = (0.5 * h) * a;
     if (std::string failure = drift(from, h, to); !failure.empty()) return failed(h, failure);
     to.v = from.v;
     system.place(to.t, to.z, to.x, to.v);
     kick_.evaluate(system, to.t, to.x, to.v, from.z, work_);
-    dv_ += (0.5 * h) * a;  // which is now the end's
+    dv_ += (0.5 * h) * present();  // which is now the end's
     if (std::string failure = stopStretching(from, to); !failure.empty()) return failed(h, failure);
     for (std::size_t i = 0; i < from.v.size(); ++i) to.v[i] = from.v[i] + dv_[static_cast<Eigen::Index>(i)];
     kick_.finish(to);

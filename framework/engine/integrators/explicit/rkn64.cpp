@@ -42,6 +42,6 @@ NystromTableau rkn64Tableau() {
   };
 }
 
-std::unique_ptr<Integrator> rkn64() { return std::make_unique<Nystrom>(rkn64Info(), rkn64Tableau()); }
+std::unique_ptr<Integrator> rkn64() { return std::make_unique<Nystrom>(rkn64Info(), rkn64Tableau); }
 
 }  // namespace muelle::engine

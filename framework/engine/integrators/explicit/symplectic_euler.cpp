@@ -1,3 +1,4 @@
+#include "engine/integrators/explicit/engines/lane_arrays.h"
 #include "engine/integrators/explicit/engines/stage_kernels.h"
 #include "engine/integrators/explicit/engines/step_finish.h"
 #include "engine/integrators/explicit/methods.h"
@@ -34,26 +35,27 @@ class SymplecticEuler : public Integrator {
   }
 
   void prepare(const DynamicalSystem& system, const Tolerance&) override {
-    acceleration_.assign(static_cast<std::size_t>(system.storage()), 0.0);
+    acceleration_.assign(1, static_cast<std::size_t>(system.storage()));
+    kernels_ = &stageKernels(acceleration_.lanes());
   }
 
   StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
     prepareResult(from, h, to);
-    system.acceleration(from.t, from.x, from.v, from.z, acceleration_);
+    system.acceleration(from.t, from.x, from.v, from.z, acceleration_[0]);
     ++work_.forceEvaluations;
-    const double notFinite = stageKernels(acceleration_.size())
-                                 .kickDrift(acceleration_.size(), from.x.data(), from.v.data(), acceleration_.data(), h,
-                                            to.x.data(), to.v.data());
+    const double sum = kernels_->kickDrift(acceleration_.lanes(), from.x.data(), from.v.data(), acceleration_.data(0),
+                                           h, to.x.data(), to.v.data());
     system.place(to.t, from.z, to.x, to.v);
-    if (notFinite == 0.0) return {};
+    if (isFinite(sum)) return {};
     return finiteOrFailure(system, from, to, 0.0);
   }
 
   bool hasIncrements() const override { return true; }
   StepResult stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) override {
     StepResult result = step(system, from, h, increment);
-    for (std::size_t i = 0; i < acceleration_.size(); ++i) {
-      increment.v[i] = h * acceleration_[i];
+    const Out a = acceleration_[0];
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      increment.v[i] = h * a[i];
       const double v = from.v[i] + increment.v[i];
       increment.x[i] = h * v + h * lostIn(v, from.v[i], increment.v[i]);
     }
@@ -61,7 +63,8 @@ class SymplecticEuler : public Integrator {
   }
 
  private:
-  std::vector<double> acceleration_;
+  const StageKernels* kernels_ = nullptr;
+  LaneArrays acceleration_;  // one array
 };
 
 }  // namespace

@@ -76,12 +76,12 @@ class TakahashiImada : public Integrator {
   StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
     provideStart(system, from, h);
     prepareResult(from, h, to);
-    const double* const p = start_.p.data();
-    kernels_->halfKickDrift(n_, start_.q.data(), p, start_.modified.data(), h, end_.q.data(), end_.p.data(), nullptr);
+    const double *const p = start_.p.data(), *const a = start_.modified.data();
+    kernels_->halfKickDrift(n_, start_.q.data(), p, a, h, end_.q.data(), nullptr);
     system.place(to.t, from.z, end_.q, end_.p);
     evaluate(system, to.t, end_.q, end_.p, from.z, end_.a);
     evaluateModified(system, to.t, from.z, h, end_);
-    kernels_->halfKick(n_, end_.modified.data(), h, end_.q.data(), end_.p.data());
+    kernels_->twoHalfKicks(n_, p, a, end_.modified.data(), h, end_.p.data());
     slopeAtEnd(system, to.t, from.z, h);
     const double e = h * h / 12.0;
     double zeros = 0.0;

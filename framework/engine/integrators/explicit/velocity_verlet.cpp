@@ -1,5 +1,6 @@
 #include "engine/integrators/explicit/engines/drag_factors.h"
 #include "engine/integrators/explicit/engines/kick.h"
+#include "engine/integrators/explicit/engines/lane_arrays.h"
 #include "engine/integrators/explicit/engines/stage_kernels.h"
 #include "engine/integrators/explicit/engines/step_finish.h"
 #include "engine/integrators/explicit/methods.h"
@@ -59,14 +60,15 @@ class VelocityVerlet : public Integrator {
     simple_ = system.drag() == nullptr;
     factors_.forget();
     if (system.drag() != nullptr) factors_.update(system, 0.0);
-    for (std::vector<double>* array : {&predicted_, &dx_, &dv_, &low_})
-      array->assign(static_cast<std::size_t>(system.storage()), 0.0);
+    const auto lanes = static_cast<std::size_t>(system.storage());
+    predicted_.assign(1, lanes);
+    for (std::vector<double>* array : {&dx_, &dv_, &low_}) array->assign(lanes, 0.0);
   }
 
   StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
     if (simple_) return simpleStep(system, from, h, to);
     advance(system, from, h, to);
-    for (std::size_t i = 0; i < predicted_.size(); ++i) to.v[i] = from.v[i] + dv_[i];
+    for (std::size_t i = 0; i < dv_.size(); ++i) to.v[i] = from.v[i] + dv_[i];
     system.place(to.t, from.z, to.x, to.v);
     kick_.finish(to);
     return finiteOrFailure(system, from, to, 0.0);
@@ -78,7 +80,7 @@ class VelocityVerlet : public Integrator {
     // the energy of an oscillator drifts three times as fast.
     std::copy(increment.x.begin(), increment.x.end(), low_.begin());
     advance(system, from, h, increment);
-    for (std::size_t i = 0; i < predicted_.size(); ++i) increment.v[i] = from.v[i] + dv_[i];
+    for (std::size_t i = 0; i < dv_.size(); ++i) increment.v[i] = from.v[i] + dv_[i];
     system.place(increment.t, from.z, increment.x, increment.v);
     kick_.finish(increment);
     StepResult result = finiteOrFailure(system, from, increment, 0.0);
@@ -97,20 +99,14 @@ class VelocityVerlet : public Integrator {
     kick_.start(system, from, work_);
     prepareResult(from, h, to);
     const std::size_t n = from.x.size();
-    const double* a = kick_.acceleration();
-    kernels_->halfKickDrift(n, from.x.data(), from.v.data(), a, h, to.x.data(), to.v.data(),
-                            kick_.usesVelocity() ? predicted_.data() : nullptr);
-    if (kick_.usesVelocity()) {
-      system.place(to.t, from.z, to.x, predicted_);
-      kick_.evaluate(system, to.t, to.x, predicted_, from.z, work_);
-    } else {
-      system.place(to.t, from.z, to.x, to.v);
-      kick_.evaluate(system, to.t, to.x, to.v, from.z, work_);
-    }
-    const double notFinite = kernels_->halfKick(n, a, h, to.x.data(), to.v.data());
-    if (kick_.usesVelocity()) system.place(to.t, from.z, to.x, to.v);
+    double sum = kernels_->halfKickDrift(n, from.x.data(), from.v.data(), kick_.acceleration(), h, to.x.data(),
+                                         kick_.usesVelocity() ? predicted_.data(0) : nullptr);
+    system.place(to.t, from.z, to.x, predicted_[0]);
+    kick_.evaluate(system, to.t, to.x, predicted_[0], from.z, work_);
+    sum += kernels_->twoHalfKicks(n, from.v.data(), kick_.before(), kick_.acceleration(), h, to.v.data());
+    system.place(to.t, from.z, to.x, to.v);
     kick_.finish(to);
-    if (notFinite == 0.0) return {};
+    if (isFinite(sum)) return {};
     return finiteOrFailure(system, from, to, 0.0);
   }
 
@@ -132,18 +128,20 @@ class VelocityVerlet : public Integrator {
   /// The changes of x and v over the step, in dx_ and dv_.
   template <typename Loss, typename Phi1, typename Phi2>
   void advance(const DynamicalSystem& system, const State& from, double h, State& to, Loss loss, Phi1 phi1, Phi2 phi2) {
-    const std::size_t n = predicted_.size();
+    const std::size_t n = dv_.size();
+    double* const predicted = predicted_.data(0);
     const double* a = kick_.acceleration();
     for (std::size_t i = 0; i < n; ++i) {
       const double decayed = phi1(i) * from.v[i], kick = h * (phi2(i) * a[i]), mean = decayed + kick;
       dx_[i] = h * mean + h * lostIn(mean, decayed, kick);
       to.x[i] = from.x[i] + (dx_[i] + low_[i]);
-      // What the first force does to the velocity; predicted_: the velocity if the force stayed the same.
+      // What the first force does to the velocity; predicted: the velocity if the force stayed the same.
       dv_[i] = loss(i) * from.v[i] + h * ((phi1(i) - phi2(i)) * a[i]);
-      predicted_[i] = from.v[i] + (dv_[i] + h * (phi2(i) * a[i]));
+      predicted[i] = from.v[i] + (dv_[i] + h * (phi2(i) * a[i]));
     }
-    system.place(to.t, from.z, to.x, predicted_);
-    kick_.evaluate(system, to.t, to.x, predicted_, from.z, work_);
+    system.place(to.t, from.z, to.x, predicted_[0]);
+    kick_.evaluate(system, to.t, to.x, predicted_[0], from.z, work_);
+    a = kick_.acceleration();
     for (std::size_t i = 0; i < n; ++i) dv_[i] += h * (phi2(i) * a[i]);
   }
 
@@ -151,7 +149,8 @@ class VelocityVerlet : public Integrator {
   bool simple_ = false;
   Kick kick_;
   DragFactors factors_;
-  std::vector<double> predicted_, dx_, dv_;
+  LaneArrays predicted_;  // velocities, one array
+  std::vector<double> dx_, dv_;
   std::vector<double> low_;  // of the positions, 0 unless sums are compensated
 };
 

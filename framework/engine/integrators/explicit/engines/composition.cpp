@@ -11,7 +11,7 @@ Composition::Composition(MethodInfo info, const Coefficients& fractions)
     : info_(std::move(info)), fractions_(rounded(fractions)), factors_((fractions_.size() + 1) / 2) {}
 
 void Composition::prepare(const DynamicalSystem& system, const Tolerance&) {
-  kick_.prepare(system);
+  for (Kick* kick : {&kick_, &aside_}) kick->prepare(system);
   for (std::vector<double>* array : {&predicted_, &dx_, &dv_})
     array->assign(static_cast<std::size_t>(system.storage()), 0.0);
   for (DragFactors& factors : factors_) {
@@ -92,10 +92,10 @@ StepResult Composition::stepIncrement(const DynamicalSystem& system, const State
 void Composition::interpolate(const DynamicalSystem& system, const State& from, const State& to, double theta,
                               State& out) {
   if (info_.order <= 4) return Integrator::interpolate(system, from, to, theta, out);
-  Kick kept = kick_;  // the force at the end of the step, which the next may begin with
+  std::swap(kick_, aside_);  // the force at the end of the step, which the next may begin with, is kept
   kick_.restart();
   step(system, from, theta * (to.t - from.t), out);
-  kick_ = std::move(kept);
+  std::swap(kick_, aside_);
 }
 
 }  // namespace muelle::engine

@@ -37,7 +37,7 @@ class Composition : public Integrator {
 
   MethodInfo info_;
   std::vector<double> fractions_;
-  Kick kick_;
+  Kick kick_, aside_;
   std::vector<DragFactors> factors_;  // of each substep: the fractions differ, so their factors do
   std::vector<double> predicted_;
   std::vector<double> dx_, dv_;  // change since the start: each substep's is rounded to its own size

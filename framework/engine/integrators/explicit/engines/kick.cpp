@@ -1,13 +1,11 @@
 #include "engine/integrators/explicit/engines/kick.h"
 
-#include <algorithm>
-
 namespace muelle::engine {
 
 void Kick::prepare(const DynamicalSystem& system) {
   drag_ = system.drag();
   usesVelocity_ = drag_ != nullptr ? drag_->remainderUsesVelocity() : system.forceUsesVelocity();
-  acceleration_.assign(static_cast<std::size_t>(system.storage()), 0.0);
+  accelerations_.assign(2, static_cast<std::size_t>(system.storage()));
   restart();
 }
 
@@ -17,10 +15,11 @@ void Kick::restart() {
 }
 
 void Kick::evaluate(const DynamicalSystem& system, double t, In x, In v, In z, Work& work) {
+  accelerations_.swap(0, 1);
   if (drag_ != nullptr) {
-    drag_->accelerationWithoutDrag(t, x, v, z, acceleration_);
+    drag_->accelerationWithoutDrag(t, x, v, z, accelerations_[0]);
   } else {
-    system.acceleration(t, x, v, z, acceleration_);
+    system.acceleration(t, x, v, z, accelerations_[0]);
   }
   ++work.forceEvaluations;
 }

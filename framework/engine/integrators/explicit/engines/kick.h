@@ -1,9 +1,8 @@
 #pragma once
 #include "engine/dynamical_system.h"
+#include "engine/integrators/explicit/engines/lane_arrays.h"
 #include "engine/integrators/explicit/engines/state_mark.h"
 #include "engine/work.h"
-
-#include <vector>
 
 namespace muelle::engine {
 
@@ -13,7 +12,7 @@ class Kick {
  public:
   void prepare(const DynamicalSystem& system);
   void restart();
-  /// Acceleration [m/s^2] at a state.
+  /// Acceleration [m/s^2] at a state; the one before stays in before().
   void evaluate(const DynamicalSystem& system, double t, In x, In v, In z, Work& work);
   /// Acceleration at the start of a step: the one kept from the accepted step before, when `from` is its end.
   void start(const DynamicalSystem& system, const State& from, Work& work);
@@ -22,14 +21,15 @@ class Kick {
   void accept() { accepted_ = true; }
 
   bool usesVelocity() const { return usesVelocity_; }
-  const double* acceleration() const { return acceleration_.data(); }
+  const double* acceleration() const { return accelerations_.data(0); }
+  const double* before() const { return accelerations_.data(1); }
 
  private:
   const Drag* drag_ = nullptr;
   bool usesVelocity_ = true;
   bool accepted_ = false;
   StateMark end_;
-  std::vector<double> acceleration_;
+  LaneArrays accelerations_;  // the present one and the one before
 };
 
 }  // namespace muelle::engine

@@ -19,45 +19,46 @@ MethodInfo nystromInfo() {
   return info;
 }
 
-Nystrom::Nystrom(MethodInfo info, const NystromTableau& tableau)
-    : StageIntegrator(std::move(info), accelerationTableau(tableau)), drag_(tableau) {}
+Nystrom::Nystrom(MethodInfo info, NystromTableau (*tableau)())
+    : StageIntegrator(std::move(info), accelerationTableau(tableau())), tableau_(tableau) {}
 
 void Nystrom::prepare(const DynamicalSystem& system, const Tolerance& tolerance) {
-  hasDrag_ = system.drag() != nullptr && !system.drag()->remainderUsesVelocity();
-  if (system.forceUsesVelocity() && !hasDrag_) {
+  const bool hasDrag = system.drag() != nullptr && !system.drag()->remainderUsesVelocity();
+  if (system.forceUsesVelocity() && !hasDrag) {
     throw std::invalid_argument(fmt::format(
         "{} needs a force that does not depend on the velocity, drag aside: remove damping and friction, or "
         "use dop853",
         info().name));
   }
   StageIntegrator::prepare(system, tolerance);
-  if (hasDrag_) drag_.prepare(system, tolerance);
+  drag_.reset();
+  if (hasDrag) drag_.emplace(tableau_()).prepare(system, tolerance);
 }
 
 void Nystrom::restart() {
   StageIntegrator::restart();
-  drag_.restart();
+  if (drag_) drag_->restart();
 }
 
 void Nystrom::accept() {
   StageIntegrator::accept();
-  drag_.accept();
+  if (drag_) drag_->accept();
 }
 
 StepResult Nystrom::step(const DynamicalSystem& system, const State& from, double h, State& to) {
-  return hasDrag_ ? drag_.step(system, from, h, errorScale_, to, work_) : StageIntegrator::step(system, from, h, to);
+  return drag_ ? drag_->step(system, from, h, errorScale_, to, work_) : StageIntegrator::step(system, from, h, to);
 }
 
 StepResult Nystrom::stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) {
-  if (!hasDrag_) return StageIntegrator::stepIncrement(system, from, h, increment);
-  StepResult result = drag_.step(system, from, h, errorScale_, increment, work_);
-  drag_.increments(increment);
+  if (!drag_) return StageIntegrator::stepIncrement(system, from, h, increment);
+  StepResult result = drag_->step(system, from, h, errorScale_, increment, work_);
+  drag_->increments(increment);
   return result;
 }
 
 void Nystrom::interpolate(const DynamicalSystem& system, const State& from, const State& to, double theta, State& out) {
   const double part = theta * (to.t - from.t);
-  if (hasDrag_) return drag_.inside(system, from, part, errorScale_, out, work_);
+  if (drag_) return drag_->inside(system, from, part, errorScale_, out, work_);
   // The first acceleration and the last, which the next step may begin with, are kept.
   recallFirst(system, from);
   swapAccelerations(stages() - 1, stages());

@@ -2,6 +2,8 @@
 #include "engine/integrators/explicit/engines/nystrom_drag.h"
 #include "engine/integrators/explicit/engines/stage_integrator.h"
 
+#include <optional>
+
 namespace muelle::engine {
 
 /// What is known of every such pair: what it needs, keeps and computes.
@@ -12,7 +14,7 @@ MethodInfo nystromInfo();
 /// interpolant of order 6, 8 or 12 would cost as many evaluations.
 class Nystrom : public StageIntegrator {
  public:
-  Nystrom(MethodInfo info, const NystromTableau& tableau);
+  Nystrom(MethodInfo info, NystromTableau (*tableau)());
 
   void prepare(const DynamicalSystem& system, const Tolerance& tolerance) override;
   StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override;
@@ -23,8 +25,8 @@ class Nystrom : public StageIntegrator {
   void accept() override;
 
  private:
-  NystromDrag drag_;
-  bool hasDrag_ = false;
+  NystromTableau (*tableau_)();
+  std::optional<NystromDrag> drag_;  ///< where the system has a drag
 };
 
 }  // namespace muelle::engine

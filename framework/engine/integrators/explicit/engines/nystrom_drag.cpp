@@ -33,6 +33,9 @@ void NystromDrag::prepare(const DynamicalSystem& system, const Tolerance& tolera
   memory_.assign(sums_.size() * n, 0.0);
   g_.resize(sums_.size());
   for (std::size_t j = 0; j < g_.size(); ++j) g_[j] = memory_.data() + n * j;
+  for (StageSum& sum : sums_) sum.readFrom(g_);
+  end_.readFrom(g_);
+  error_.readFrom(g_);
   for (std::vector<double>* array : {&x_, &y_, &v_, &ye_, &ve_, &zeros_, &dx_, &dv_, &last_, &kept_})
     array->assign(n, 0.0);
   restart();
@@ -47,6 +50,9 @@ void NystromDrag::restart() {
 void NystromDrag::updateFactors(double h) {
   if (h == h_) return;
   h_ = h;
+  for (StageSum& sum : sums_) sum.scale(h);
+  end_.scale(h);
+  error_.scale(h);
   for (std::size_t j = 0; j < c_.size(); ++j) {
     for (std::size_t i = 0; i < kinds(); ++i) {
       const double s = c_[j] * h, cs = rate_[i] * s;
@@ -80,7 +86,7 @@ double NystromDrag::advance(const DynamicalSystem& system, const State& from, do
   const StageBase base{n, zeros_.data(), zeros_.data(), h};
   updateFactors(h);
   for (std::size_t j = 1; j < sums_.size(); ++j) {
-    kernels.stage(base, sums_[j].over(g_), 0.0, y_.data(), nullptr);
+    kernels.stage(base, sums_[j].terms(), 0.0, y_.data(), nullptr);
     for (std::size_t i = 0; i < n; ++i) {
       const Factors& f = factors(j, i);
       x_[i] = from.x[i] + (f.free * from.v[i] + f.half * y_[i]);
@@ -94,8 +100,8 @@ double NystromDrag::advance(const DynamicalSystem& system, const State& from, do
     if (firstSameAsLast_ && j + 1 == sums_.size()) std::copy(a.begin(), a.end(), last_.begin());
     for (std::size_t i = 0; i < n; ++i) a[i] = factors(j, i).growth * a[i] + 0.25 * rate(i) * rate(i) * y_[i];
   }
-  kernels.stage(base, end_.over(g_), 0.0, y_.data(), v_.data());
-  kernels.stage(base, error_.over(g_), 0.0, ye_.data(), ve_.data());
+  kernels.stage(base, end_.terms(), 0.0, y_.data(), v_.data());
+  kernels.stage(base, error_.terms(), 0.0, ye_.data(), ve_.data());
   prepareResult(from, h, to);
   const double allowedX = tolerance_.relative * scale.position, allowedV = tolerance_.relative * scale.velocity;
   double largest = 0.0;

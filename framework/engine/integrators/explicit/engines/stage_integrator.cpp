@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 namespace muelle::engine {
@@ -51,32 +50,23 @@ AccelerationTableau accelerationTableau(const ButcherTableau& tableau, const Coe
 }
 
 StageIntegrator::StageIntegrator(MethodInfo info, const AccelerationTableau& tableau)
-    : info_(std::move(info)),
-      c_(rounded(tableau.c)),
-      end_(tableau.bx, tableau.bv, tableau.ex, tableau.ev),
-      velocities_(!tableau.av.empty()),
-      firstSameAsLast_(tableau.firstSameAsLast) {
+    : info_(std::move(info)), c_(rounded(tableau.c)), firstSameAsLast_(tableau.firstSameAsLast) {
+  sums_.reserve(c_.size() + 1);
   for (std::size_t i = 0; i < c_.size(); ++i) {
-    sums_.emplace_back(tableau.ax[i], velocities_ ? tableau.av[i] : Coefficients{});
+    sums_.emplace_back(tableau.ax[i], tableau.av.empty() ? Coefficients{} : tableau.av[i]);
   }
+  sums_.emplace_back(tableau.bx, tableau.bv, tableau.ex, tableau.ev);
 }
 
 void StageIntegrator::prepare(const DynamicalSystem& system, const Tolerance& tolerance) {
   tolerance_ = tolerance;
   size_ = static_cast<std::size_t>(system.storage());
   kernels_ = &stageKernels(size_);
-  const std::size_t count = stages() + extra_;
-  // Each begins a line of the cache, so that a register's load never spans two.
-  constexpr std::size_t line = 8;
-  const std::size_t stride = (size_ + line - 1) / line * line;
-  memory_.assign((count + 2) * stride + line, 0.0);
-  const auto address = reinterpret_cast<std::uintptr_t>(memory_.data()) / sizeof(double);
-  double* const first = memory_.data() + (line - address % line) % line;
-  accelerations_.resize(count);
-  for (std::size_t j = 0; j < count; ++j) accelerations_[j] = first + stride * j;
-  x_ = first + stride * count;
-  v_ = x_ + stride;
+  velocities_ = system.forceUsesVelocity();
+  accelerations_.assign(stages() + extra_, size_);
+  stage_.assign(2, size_);
   zeros_.assign(size_, 0.0);
+  moved_ = true;
   restart();
 }
 
@@ -84,6 +74,16 @@ void StageIntegrator::restart() {
   startMark_.clear();
   endMark_.clear();
   accepted_ = endKnown_ = false;
+}
+
+/// Puts a step's length and the place of accelerations that have changed theirs into the sums of all stages.
+void StageIntegrator::bind(double h) {
+  for (StageSum& sum : sums_) {
+    if (h != h_) sum.scale(h);
+    if (moved_) sum.readFrom(accelerations_.begins());
+  }
+  h_ = h;
+  moved_ = false;
 }
 
 void StageIntegrator::evaluate(const DynamicalSystem& system, double t, Out x, Out v, In z, std::size_t j) {
@@ -94,11 +94,16 @@ void StageIntegrator::evaluate(const DynamicalSystem& system, double t, Out x, O
 
 void StageIntegrator::provideFirst(const DynamicalSystem& system, const State& from) {
   const bool goesOn = accepted_ && endKnown_ && endMark_.matches(from);
-  const bool again = !goesOn && startMark_.matches(from);
+  const bool again = !accepted_ && startMark_.matches(from);
   accepted_ = endKnown_ = false;
-  endMark_.clear();
   if (goesOn) {
-    std::swap(accelerations_[0], accelerations_[firstSameAsLast_ ? stages() - 1 : stages()]);
+    const std::size_t last = firstSameAsLast_ ? stages() - 1 : stages();
+    constexpr std::size_t few = 64;  // lanes, which are copied sooner than all sums are told
+    if (size_ > few) {
+      swapAccelerations(0, last);
+    } else {
+      std::ranges::copy(acceleration(last), acceleration(0).begin());
+    }
   } else if (!again) {
     system.acceleration(from.t, from.x, from.v, from.z, acceleration(0));
     ++work_.forceEvaluations;
@@ -113,44 +118,52 @@ void StageIntegrator::recallFirst(const DynamicalSystem& system, const State& fr
   startMark_.set(from);
 }
 
-void StageIntegrator::sum(const StageSum& weights, double c, const State& from, double h, Out x, Out v) {
-  const StageBase base{size_, from.x.data(), from.v.data(), h};
-  kernels_->stage(base, weights.over(accelerations_), c, x.data(), v.data());
+void StageIntegrator::sum(StageSum& weights, double c, const State& from, double h, Out x, Out v) {
+  weights.scale(h);
+  weights.readFrom(accelerations_.begins());
+  kernels_->stage({size_, from.x.data(), from.v.data(), h}, weights.terms(), c, x.data(), v.data());
 }
 
 StageEnd StageIntegrator::advance(const DynamicalSystem& system, const State& from, double h, State& to) {
   prepareResult(from, h, to);
+  if (h != h_ || moved_) bind(h);
   const StageBase base{size_, from.x.data(), from.v.data(), h};
-  // A method that needs no velocities is given some all the same: those at the start.
-  if (!velocities_) std::copy(from.v.begin(), from.v.end(), v_);
-  for (std::size_t i = 1; i < stages(); ++i) {
-    const bool atEnd = firstSameAsLast_ && i + 1 == stages();
-    double* const x = atEnd ? to.x.data() : x_;
-    double* const v = velocities_ && atEnd ? to.v.data() : v_;
-    kernels_->stage(base, sums_[i].over(accelerations_), c_[i], x, velocities_ ? v : nullptr);
-    evaluate(system, from.t + c_[i] * h, {x, size_}, {v, size_}, from.z, i);
+  const In z = from.z;
+  const std::size_t count = stages(), atEnd = firstSameAsLast_ ? count - 1 : count;
+  const bool velocities = velocities_;
+  Out x = stage_[0], v = stage_[1];
+  for (std::size_t i = 1; i < count; ++i) {
+    if (i == atEnd) {
+      x = to.x;
+      v = to.v;
+    }
+    // A force that does not use velocities is given some all the same.
+    kernels_->stage(base, sums_[i].terms(), c_[i], x.data(), velocities ? v.data() : nullptr);
+    const double t = from.t + c_[i] * h;
+    system.place(t, z, x, v);
+    system.acceleration(t, x, v, z, acceleration(i));
   }
+  work_.forceEvaluations += static_cast<long long>(count) - 1;
   StageEnd end;
-  const auto estimates = end_.estimatesOver();
-  kernels_->end(base, end_.over(accelerations_), estimates.data(), end_.estimates(),
-                tolerance_.relative * errorScale_.position, tolerance_.relative * errorScale_.velocity, to.x.data(),
-                to.v.data(), end);
-  system.place(to.t, from.z, to.x, to.v);
+  const StageSum& sum = sums_.back();
+  kernels_->end(base, sum.terms(), sum.estimateWeights(), sum.estimates(), tolerance_.relative * errorScale_.position,
+                tolerance_.relative * errorScale_.velocity, to.x.data(), to.v.data(), end);
+  system.place(to.t, z, to.x, to.v);
   return end;
 }
 
 StepResult StageIntegrator::step(const DynamicalSystem& system, const State& from, double h, State& to) {
   provideFirst(system, from);
   const StageEnd end = advance(system, from, h, to);
-  endMark_.set(to);
   endKnown_ = firstSameAsLast_;
-  if (end.notFinite == 0.0) return {.done = true, .error = combined(end), .failure = {}};
-  return finiteOrFailure(system, from, to, std::nan(""));
+  if (endKnown_) endMark_.set(to);
+  if (isFinite(end.sum)) return {.done = true, .error = combined(end), .failure = {}};
+  return finiteOrFailure(system, from, to, sums_.back().estimates() > 0 ? std::nan("") : 0.0);
 }
 
 void StageIntegrator::increments(const State& from, double h, State& increment) {
-  const StageTerms terms = end_.over(accelerations_);
-  kernels_->stage({size_, zeros_.data(), zeros_.data(), h}, terms, 0.0, x_, increment.v.data());
+  const StageTerms& terms = sums_.back().terms();
+  kernels_->stage({size_, zeros_.data(), zeros_.data(), h}, terms, 0.0, stage_.data(0), increment.v.data());
   kernels_->stage({size_, zeros_.data(), from.v.data(), h}, terms, 1.0, increment.x.data(), nullptr);
 }
 
@@ -164,10 +177,11 @@ StepResult StageIntegrator::stepIncrement(const DynamicalSystem& system, const S
 void StageIntegrator::ensureEnd(const DynamicalSystem& system, const State& from, const State& to) {
   if (endKnown_) return;
   // With the internal variables of the step: those of `to`, and with them its moved nodes, may be the next one's.
-  std::copy(to.x.begin(), to.x.end(), x_);
-  std::copy(to.v.begin(), to.v.end(), v_);
-  evaluate(system, to.t, {x_, size_}, {v_, size_}, from.z, firstSameAsLast_ ? stages() - 1 : stages());
+  std::copy(to.x.begin(), to.x.end(), stage_.data(0));
+  std::copy(to.v.begin(), to.v.end(), stage_.data(1));
+  evaluate(system, to.t, stage_[0], stage_[1], from.z, firstSameAsLast_ ? stages() - 1 : stages());
   endKnown_ = true;
+  endMark_.set(to);
 }
 
 }  // namespace muelle::engine

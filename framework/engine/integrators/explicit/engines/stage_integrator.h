@@ -1,9 +1,11 @@
 #pragma once
+#include "engine/integrators/explicit/engines/lane_arrays.h"
 #include "engine/integrators/explicit/engines/stage_sum.h"
 #include "engine/integrators/explicit/engines/state_mark.h"
 #include "engine/integrators/explicit/engines/step_finish.h"
 #include "engine/integrators/explicit/tableaus.h"
 
+#include <limits>
 #include <vector>
 
 namespace muelle::engine {
@@ -15,7 +17,7 @@ namespace muelle::engine {
 struct AccelerationTableau {
   Coefficients c;
   std::vector<Coefficients> ax;
-  std::vector<Coefficients> av;  ///< empty: the acceleration does not depend on the velocity
+  std::vector<Coefficients> av;  ///< empty: for accelerations that do not depend on the velocity
   Coefficients bx, bv;
   std::vector<Coefficients> ex, ev;  ///< weights of error estimates, of which there are up to two
   bool firstSameAsLast = false;      ///< the last stage is at the end of the step
@@ -49,13 +51,16 @@ class StageIntegrator : public Integrator {
   /// The estimated error of a step over the tolerance from those of the embedded methods.
   virtual double combined(const StageEnd& end) const { return end.largest[0]; }
 
-  std::size_t stages() const { return sums_.size(); }
+  std::size_t stages() const { return c_.size(); }
   std::size_t lanes() const { return size_; }
   const Tolerance& tolerance() const { return tolerance_; }
   /// Room for this many accelerations after the stages; before prepare().
   void reserve(std::size_t extra) { extra_ = extra; }
-  Out acceleration(std::size_t j) { return {accelerations_[j], size_}; }
-  void swapAccelerations(std::size_t i, std::size_t j) { std::swap(accelerations_[i], accelerations_[j]); }
+  Out acceleration(std::size_t j) { return accelerations_[j]; }
+  void swapAccelerations(std::size_t i, std::size_t j) {
+    accelerations_.swap(i, j);
+    moved_ = true;
+  }
 
   /// Acceleration number 0, evaluated unless it is known.
   void provideFirst(const DynamicalSystem& system, const State& from);
@@ -66,26 +71,28 @@ class StageIntegrator : public Integrator {
   /// All stages after the first, and the end of a step.
   StageEnd advance(const DynamicalSystem& system, const State& from, double h, State& to);
   /// x, v = those of `from` and h (c v + h sum wx_j A_j), h sum wv_j A_j.
-  void sum(const StageSum& weights, double c, const State& from, double h, Out x, Out v);
+  void sum(StageSum& weights, double c, const State& from, double h, Out x, Out v);
   /// Acceleration at the end of the step, as number stages() or, where the last stage is that, stages() - 1.
   void ensureEnd(const DynamicalSystem& system, const State& from, const State& to);
 
  private:
+  void bind(double h);
   /// The changes of x and v in the step whose accelerations are held.
   void increments(const State& from, double h, State& increment);
 
   MethodInfo info_;
   std::vector<double> c_;
-  std::vector<StageSum> sums_;  ///< of each stage; the first is empty
-  StageSum end_;
-  bool velocities_, firstSameAsLast_;
+  std::vector<StageSum> sums_;  ///< of each stage, of which the first is empty, and of the end
+  bool firstSameAsLast_;
+  bool velocities_ = true;  ///< the force of the system uses them
   Tolerance tolerance_;
   std::size_t extra_ = 1;
   std::size_t size_ = 0;
   const StageKernels* kernels_ = nullptr;
-  std::vector<double> memory_;          ///< accelerations, and the present stage
-  std::vector<double*> accelerations_;  ///< where each begins
-  double *x_ = nullptr, *v_ = nullptr;  ///< of the present stage
+  LaneArrays accelerations_;
+  LaneArrays stage_;                                     ///< x and v of the present one
+  double h_ = std::numeric_limits<double>::quiet_NaN();  ///< that is in the sums
+  bool moved_ = true;                                    ///< accelerations have changed their places since bind()
   std::vector<double> zeros_;
   StateMark startMark_, endMark_;
   bool accepted_ = false, endKnown_ = false;

@@ -5,252 +5,292 @@
 
 #include "engine/integrators/explicit/engines/stage_kernels.h"
 
-#include <utility>
-
-/// The bodies of loops are lambdas, which are too long for the compiler to take in by itself.
+/// A block stays in registers only where nothing is called.
 #define MUELLE_INLINE __attribute__((always_inline))
+/// The next statement for each register k of a block.
+#define MUELLE_EACH_PART _Pragma("GCC unroll 4") for (std::size_t k = 0; k != Count; ++k)
 
 namespace muelle::engine {
 
 namespace {
 
-using Vector = double __attribute__((vector_size(8 * MUELLE_LANES), aligned(8), may_alias));
-
-/// A register of lanes, and a single one.
-struct Wide {
-  static constexpr std::size_t lanes = MUELLE_LANES;
-  Vector value;
-  MUELLE_INLINE static Wide load(const double* p) { return {*reinterpret_cast<const Vector*>(p)}; }
-  void store(double* p) const { *reinterpret_cast<Vector*>(p) = value; }
+template <std::size_t Lanes>
+struct RegisterOf;
+template <>
+struct RegisterOf<1> {
+  using Type = double;
 };
-struct One {
-  static constexpr std::size_t lanes = 1;
-  double value;
-  MUELLE_INLINE static One load(const double* p) { return {*p}; }
-  void store(double* p) const { *p = value; }
+template <>
+struct RegisterOf<2> {
+  using Type = double __attribute__((vector_size(16), aligned(8), may_alias));
+};
+template <>
+struct RegisterOf<4> {
+  using Type = double __attribute__((vector_size(32), aligned(8), may_alias));
+};
+template <>
+struct RegisterOf<8> {
+  using Type = double __attribute__((vector_size(64), aligned(8), may_alias));
+};
+template <std::size_t Lanes>
+using Register = typename RegisterOf<Lanes>::Type;
+
+/// Registers side by side: while one waits for its last addition, the others go on, and a weight is read once for all.
+template <std::size_t Lanes, std::size_t Count>
+struct Block {
+  static constexpr std::size_t lanes = Lanes, size = Lanes * Count;
+  Register<Lanes> part[Count];
+
+  MUELLE_INLINE static Block zero() {
+    Block block;
+    MUELLE_EACH_PART { block.part[k] = Register<Lanes>{}; }
+    return block;
+  }
+  MUELLE_INLINE static Block load(const double* p) {
+    Block block;
+    MUELLE_EACH_PART { block.part[k] = *reinterpret_cast<const Register<Lanes>*>(p + k * Lanes); }
+    return block;
+  }
+  MUELLE_INLINE void store(double* p) const {
+    MUELLE_EACH_PART { *reinterpret_cast<Register<Lanes>*>(p + k * Lanes) = part[k]; }
+  }
+  MUELLE_INLINE friend Block operator+(const Block& a, const Block& b) {
+    Block sum;
+    MUELLE_EACH_PART { sum.part[k] = a.part[k] + b.part[k]; }
+    return sum;
+  }
+  MUELLE_INLINE friend Block operator*(double a, const Block& b) {
+    Block product;
+    MUELLE_EACH_PART { product.part[k] = a * b.part[k]; }
+    return product;
+  }
 };
 
-/// What one lane's error is over what is allowed there: see errorRatio().
-template <class T>
-MUELLE_INLINE inline T ratioOf(const T& error, const T& from, const T& to, double allowed) {
-  constexpr double rounding = 4.0 * 2.220446049250313e-16;
-  T a = from, b = to, e = error;
-  a.value = a.value < 0.0 ? -a.value : a.value;
-  b.value = b.value < 0.0 ? -b.value : b.value;
-  e.value = e.value < 0.0 ? -e.value : e.value;
-  a.value = a.value > b.value ? a.value : b.value;
-  e.value = e.value / (allowed + rounding * a.value);
-  return e;
-}
-
-/// Runs body(T, i) over the lanes, N of them when that is not 0.
-template <std::size_t N, class Body>
-MUELLE_INLINE inline void overLanes(std::size_t n, Body&& body) {
+/// Runs body(block, first lane) over all lanes, whose number is N unless that is 0. The last block may begin inside the
+/// one before, of which it computes a part again.
+template <std::size_t Lanes, std::size_t N, class Body>
+MUELLE_INLINE inline void overBlocks(std::size_t n, Body&& body) {
   if constexpr (N > 0) {
-    for (std::size_t i = 0; i < N; ++i) body(One{}, i);
+    body(Block<Lanes, N / Lanes>{}, 0);
   } else {
     std::size_t i = 0;
-    for (; i + Wide::lanes <= n; i += Wide::lanes) body(Wide{}, i);
-    for (; i < n; ++i) body(One{}, i);
+    for (; i + 4 * Lanes <= n; i += 4 * Lanes) body(Block<Lanes, 4>{}, i);
+    for (; i + Lanes <= n; i += Lanes) body(Block<Lanes, 1>{}, i);
+    if (i < n && n >= Lanes) return body(Block<Lanes, 1>{}, n - Lanes);
+    for (; i < n; ++i) body(Block<1, 1>{}, i);
   }
 }
 
-/// Runs body(j) over the terms after the first, whose number is known when compiling unless it is 0.
-template <std::size_t Terms, class Body>
-MUELLE_INLINE inline void overLaterTerms(const StageTerms& terms, Body&& body) {
-  if constexpr (Terms > 0) {
-    [&]<std::size_t... J>(std::index_sequence<J...>) MUELLE_INLINE { (body(J + 1), ...); }
-    (std::make_index_sequence<Terms - 1>{});
-  } else {
-    for (std::size_t j = 1; j < terms.count; ++j) body(j);
-  }
-}
+/// What is collected over all lanes, in a register for whole ones and a number for the rest: a sum, or the largest. A
+/// block's parts come together first, as each waits for the last.
+template <std::size_t Lanes>
+struct Collected {
+  Register<Lanes> wide{};
+  double one{};
 
-template <std::size_t N, std::size_t Terms, bool Velocity>
-void stageOf(const StageBase& base, const StageTerms& terms, double c, double* __restrict X, double* __restrict V) {
-  const double h = base.h;
-  overLanes<N>(base.n, [&](auto kind, std::size_t i) MUELLE_INLINE {
-    using T = decltype(kind);
-    T x = T::load(terms.a[0] + i), v = x;
-    x.value = terms.wx[0] * x.value;
-    v.value = terms.wv[0] * v.value;
-    overLaterTerms<Terms>(terms, [&](std::size_t j) MUELLE_INLINE {
-      const T a = T::load(terms.a[j] + i);
-      x.value = x.value + terms.wx[j] * a.value;
-      if constexpr (Velocity) v.value = v.value + terms.wv[j] * a.value;
-    });
-    const T v0 = T::load(base.v + i);
-    x.value = T::load(base.x + i).value + h * (c * v0.value + h * x.value);
-    x.store(X + i);
-    if constexpr (Velocity) {
-      v.value = v0.value + h * v.value;
-      v.store(V + i);
+  template <std::size_t Count>
+  MUELLE_INLINE void add(const Block<Lanes, Count>& block) {
+    wide = wide + sumOf(block);
+  }
+  template <std::size_t Count>
+  MUELLE_INLINE void takeLarger(const Block<Lanes, Count>& block) {
+    const Register<Lanes> most = largest(block);
+    wide = most > wide ? most : wide;
+  }
+  MUELLE_INLINE void add(const Block<1, 1>& block) requires(Lanes > 1) { one = one + block.part[0]; }
+  MUELLE_INLINE void takeLarger(const Block<1, 1>& block) requires(Lanes > 1) {
+    one = block.part[0] > one ? block.part[0] : one;
+  }
+  MUELLE_INLINE double sum() const {
+    double all = one;
+    for (std::size_t k = 0; k != Lanes; ++k) all += lane(k);
+    return all;
+  }
+  MUELLE_INLINE double largest() const {
+    double all = one;
+    for (std::size_t k = 0; k != Lanes; ++k) all = lane(k) > all ? lane(k) : all;
+    return all;
+  }
+
+ private:
+  template <std::size_t Count>
+  MUELLE_INLINE static Register<Lanes> sumOf(const Block<Lanes, Count>& block) {
+    Register<Lanes> sum = block.part[0];
+    for (std::size_t k = 1; k < Count; ++k) sum = sum + block.part[k];
+    return sum;
+  }
+  template <std::size_t Count>
+  MUELLE_INLINE static Register<Lanes> largest(const Block<Lanes, Count>& block) {
+    Register<Lanes> most = block.part[0];
+    for (std::size_t k = 1; k < Count; ++k) most = block.part[k] > most ? block.part[k] : most;
+    return most;
+  }
+  MUELLE_INLINE double lane(std::size_t k) const {
+    if constexpr (Lanes == 1) {
+      return wide;
+    } else {
+      return wide[k];
     }
+  }
+};
+
+/// x = sum wx_j a_j and v = sum wv_j a_j of one block.
+template <class B>
+struct Sums {
+  B x, v;
+};
+
+/// Of the first `count` terms, in x and v.
+template <class B>
+MUELLE_INLINE inline Sums<B> sumsOf(const StageTerms& terms, std::size_t count, const double* wx, const double* wv,
+                                    std::size_t i) {
+  if (count == 0) return {B::zero(), B::zero()};
+  const B first = B::load(terms.a[0] + i);
+  B x = wx[0] * first, v = wv[0] * first;
+  for (std::size_t j = 1; j < count; ++j) {
+    const B a = B::load(terms.a[j] + i);
+    x = x + wx[j] * a;
+    v = v + wv[j] * a;
+  }
+  return {x, v};
+}
+
+/// x = sum wx_j a_j, added to those of the first terms.
+template <class B>
+MUELLE_INLINE inline B withPositions(B x, const StageTerms& terms, std::size_t i) {
+  for (std::size_t j = terms.both, end = j + terms.positions; j < end; ++j) {
+    x = x + terms.wx[j] * B::load(terms.a[j] + i);
+  }
+  return x;
+}
+/// v = sum wv_j a_j, the same.
+template <class B>
+MUELLE_INLINE inline B withVelocities(B v, const StageTerms& terms, std::size_t i) {
+  for (std::size_t j = terms.both + terms.positions, end = j + terms.velocities; j < end; ++j) {
+    v = v + terms.wv[j] * B::load(terms.a[j] + i);
+  }
+  return v;
+}
+
+template <std::size_t Lanes, std::size_t N>
+void stage(const StageBase& base, const StageTerms& terms, double c, double* X, double* V) {
+  const double ch = c * base.h;
+  overBlocks<Lanes, N>(base.n, [&](auto kind, std::size_t i) MUELLE_INLINE {
+    using B = decltype(kind);
+    const Sums<B> sums = sumsOf<B>(terms, terms.both, terms.wx, terms.wv, i);
+    const B v = B::load(base.v + i);
+    const B x = B::load(base.x + i) + (ch * v + withPositions(sums.x, terms, i));
+    x.store(X + i);
+    if (V != nullptr) (v + withVelocities(sums.v, terms, i)).store(V + i);
   });
 }
 
-template <std::size_t N, std::size_t Terms, std::size_t Estimates>
-void endOf(const StageBase& base, const StageTerms& terms, const StageEstimate* estimates, double allowedX,
-           double allowedV, double* __restrict X, double* __restrict V, StageEnd& result) {
-  const double h = base.h, hh = h * h;
-  Wide wideBad{}, wideLargest[2]{};
-  One oneBad{}, oneLargest[2]{};
-  overLanes<N>(base.n, [&](auto kind, std::size_t i) MUELLE_INLINE {
-    using T = decltype(kind);
-    T x = T::load(terms.a[0] + i), v = x, ex[2] = {x, x}, ev[2] = {x, x};
-    x.value = terms.wx[0] * x.value;
-    v.value = terms.wv[0] * v.value;
-    for (std::size_t e = 0; e != Estimates; ++e) {
-      ex[e].value = estimates[e].ex[0] * ex[e].value;
-      ev[e].value = estimates[e].ev[0] * ev[e].value;
-    }
-    overLaterTerms<Terms>(terms, [&](std::size_t j) MUELLE_INLINE {
-      const T a = T::load(terms.a[j] + i);
-      x.value = x.value + terms.wx[j] * a.value;
-      v.value = v.value + terms.wv[j] * a.value;
-      for (std::size_t e = 0; e != Estimates; ++e) {
-        ex[e].value = ex[e].value + estimates[e].ex[j] * a.value;
-        ev[e].value = ev[e].value + estimates[e].ev[j] * a.value;
-      }
-    });
-    const T x0 = T::load(base.x + i), v0 = T::load(base.v + i);
-    x.value = x0.value + h * (v0.value + h * x.value);
-    v.value = v0.value + h * v.value;
+/// One over what an error may be, from the values at both ends of the step: see errorRatio().
+template <std::size_t Lanes, std::size_t Count>
+MUELLE_INLINE inline Block<Lanes, Count> scaleOf(Block<Lanes, Count> from, Block<Lanes, Count> to, double allowed) {
+  constexpr double rounding = 4.0 * 2.220446049250313e-16;
+  MUELLE_EACH_PART {
+    auto &a = from.part[k], &b = to.part[k];
+    a = a < 0.0 ? -a : a;
+    b = b < 0.0 ? -b : b;
+    a = a > b ? a : b;
+    a = 1.0 / (allowed + rounding * a);
+  }
+  return from;
+}
+
+/// |error| scale
+template <std::size_t Lanes, std::size_t Count>
+MUELLE_INLINE inline Block<Lanes, Count> ratioOf(Block<Lanes, Count> error, const Block<Lanes, Count>& scale) {
+  MUELLE_EACH_PART {
+    auto& e = error.part[k];
+    e = e < 0.0 ? -e : e;
+    e = e * scale.part[k];
+  }
+  return error;
+}
+
+template <std::size_t Lanes, std::size_t N>
+void end(const StageBase& base, const StageTerms& terms, const StageEstimate* estimates, std::size_t count,
+         double allowedX, double allowedV, double* X, double* V, StageEnd& result) {
+  Collected<Lanes> total, largest[2];
+  overBlocks<Lanes, N>(base.n, [&](auto kind, std::size_t i) MUELLE_INLINE {
+    using B = decltype(kind);
+    const Sums<B> sums = sumsOf<B>(terms, terms.both, terms.wx, terms.wv, i);
+    const B v0 = B::load(base.v + i), x0 = B::load(base.x + i);
+    const B x = x0 + (base.h * v0 + withPositions(sums.x, terms, i)), v = v0 + withVelocities(sums.v, terms, i);
     x.store(X + i);
     v.store(V + i);
-    const auto look = [&](auto& bad, auto& largest) MUELLE_INLINE {
-      bad.value = bad.value + (0.0 * x.value + 0.0 * v.value);
-      for (std::size_t e = 0; e != Estimates; ++e) {
-        ex[e].value = hh * ex[e].value;
-        ev[e].value = h * ev[e].value;
-        bad.value = bad.value + (0.0 * ex[e].value + 0.0 * ev[e].value);
-        const T rx = ratioOf(ex[e], x0, x, allowedX), rv = ratioOf(ev[e], v0, v, allowedV);
-        largest[e].value = rx.value > largest[e].value ? rx.value : largest[e].value;
-        largest[e].value = rv.value > largest[e].value ? rv.value : largest[e].value;
-      }
-    };
-    if constexpr (T::lanes == 1) {
-      look(oneBad, oneLargest);
-    } else {
-      look(wideBad, wideLargest);
+    total.add(x + v);
+    if (count == 0) return;
+    const B scaleX = scaleOf(x0, x, allowedX), scaleV = scaleOf(v0, v, allowedV);
+    for (std::size_t e = 0; e != count; ++e) {
+      const Sums<B> errors = sumsOf<B>(terms, terms.count, estimates[e].ex, estimates[e].ev, i);
+      total.add(errors.x + errors.v);
+      largest[e].takeLarger(ratioOf(errors.x, scaleX));
+      largest[e].takeLarger(ratioOf(errors.v, scaleV));
     }
   });
-  result.notFinite = oneBad.value;
-  for (std::size_t k = 0; k < Wide::lanes; ++k) result.notFinite += wideBad.value[k];
-  for (std::size_t e = 0; e != Estimates; ++e) {
-    double most = oneLargest[e].value;
-    for (std::size_t k = 0; k < Wide::lanes; ++k) {
-      most = wideLargest[e].value[k] > most ? wideLargest[e].value[k] : most;
-    }
-    result.largest[e] = most;
-  }
+  result.sum = total.sum();
+  for (std::size_t e = 0; e != count; ++e) result.largest[e] = largest[e].largest();
 }
 
-// With few lanes the terms are counted when running: only the newest of them is waited for.
-template <std::size_t N>
-void fewStage(const StageBase& base, const StageTerms& terms, double c, double* X, double* V) {
-  if (V == nullptr) return stageOf<N, 0, false>(base, terms, c, X, V);
-  stageOf<N, 0, true>(base, terms, c, X, V);
-}
-
-template <std::size_t N>
-void fewEnd(const StageBase& base, const StageTerms& terms, const StageEstimate* estimates, std::size_t count,
-            double allowedX, double allowedV, double* X, double* V, StageEnd& result) {
-  if (count == 0) return endOf<N, 0, 0>(base, terms, estimates, allowedX, allowedV, X, V, result);
-  if (count == 1) return endOf<N, 0, 1>(base, terms, estimates, allowedX, allowedV, X, V, result);
-  endOf<N, 0, 2>(base, terms, estimates, allowedX, allowedV, X, V, result);
-}
-
-/// With many, each number of terms has a loop of its own.
-template <std::size_t Terms>
-void manyStage(const StageBase& base, const StageTerms& terms, double c, double* X, double* V) {
-  if (terms.count != Terms) {
-    if constexpr (Terms > 1) manyStage<Terms - 1>(base, terms, c, X, V);
-    return;
-  }
-  if (V == nullptr) return stageOf<0, Terms, false>(base, terms, c, X, V);
-  stageOf<0, Terms, true>(base, terms, c, X, V);
-}
-
-template <std::size_t Terms>
-void manyEnd(const StageBase& base, const StageTerms& terms, const StageEstimate* estimates, std::size_t count,
-             double allowedX, double allowedV, double* X, double* V, StageEnd& result) {
-  if (terms.count != Terms) {
-    if constexpr (Terms > 1) manyEnd<Terms - 1>(base, terms, estimates, count, allowedX, allowedV, X, V, result);
-    return;
-  }
-  if (count == 0) return endOf<0, Terms, 0>(base, terms, estimates, allowedX, allowedV, X, V, result);
-  if (count == 1) return endOf<0, Terms, 1>(base, terms, estimates, allowedX, allowedV, X, V, result);
-  endOf<0, Terms, 2>(base, terms, estimates, allowedX, allowedV, X, V, result);
-}
-
-/// V = v + k a, X = x + h V, P = V + k a.
-template <std::size_t N, bool Look, bool Predict>
-double kickDriftOf(std::size_t n, const double* x, const double* v, const double* a, double k, double h,
-                   double* __restrict X, double* __restrict V, double* __restrict P) {
-  Wide wideBad{};
-  One oneBad{};
-  overLanes<N>(n, [&](auto kind, std::size_t i) MUELLE_INLINE {
-    using T = decltype(kind);
-    T velocity = T::load(v + i), position = T::load(x + i), kick = T::load(a + i);
-    kick.value = k * kick.value;
-    velocity.value = velocity.value + kick.value;
-    position.value = position.value + h * velocity.value;
+template <std::size_t Lanes, std::size_t N>
+double kickDrift(std::size_t n, const double* x, const double* v, const double* a, double h, double* X, double* V) {
+  Collected<Lanes> total;
+  overBlocks<Lanes, N>(n, [&](auto kind, std::size_t i) MUELLE_INLINE {
+    using B = decltype(kind);
+    const B velocity = B::load(v + i) + h * B::load(a + i);
+    const B position = B::load(x + i) + h * velocity;
     velocity.store(V + i);
     position.store(X + i);
-    if constexpr (Look && T::lanes == 1) oneBad.value += 0.0 * velocity.value + 0.0 * position.value;
-    if constexpr (Look && T::lanes > 1) wideBad.value += 0.0 * velocity.value + 0.0 * position.value;
-    if constexpr (Predict) {
-      velocity.value = velocity.value + kick.value;
-      velocity.store(P + i);
-    }
+    total.add(velocity + position);
   });
-  for (std::size_t j = 0; j < Wide::lanes; ++j) oneBad.value += wideBad.value[j];
-  return oneBad.value;
+  return total.sum();
 }
 
-template <std::size_t N>
-double kickDrift(std::size_t n, const double* x, const double* v, const double* a, double h, double* X, double* V) {
-  return kickDriftOf<N, true, false>(n, x, v, a, h, h, X, V, nullptr);
+template <std::size_t Lanes, std::size_t N>
+double halfKickDrift(std::size_t n, const double* x, const double* v, const double* a, double h, double* X, double* P) {
+  Collected<Lanes> total;
+  overBlocks<Lanes, N>(n, [&](auto kind, std::size_t i) MUELLE_INLINE {
+    using B = decltype(kind);
+    const B kick = (0.5 * h) * B::load(a + i);
+    const B velocity = B::load(v + i) + kick;
+    const B position = B::load(x + i) + h * velocity;
+    position.store(X + i);
+    total.add(position);
+    if (P != nullptr) (velocity + kick).store(P + i);
+  });
+  return total.sum();
 }
 
-template <std::size_t N>
-void halfKickDrift(std::size_t n, const double* x, const double* v, const double* a, double h, double* X, double* V,
-                   double* P) {
-  if (P != nullptr) {
-    kickDriftOf<N, false, true>(n, x, v, a, 0.5 * h, h, X, V, P);
-  } else {
-    kickDriftOf<N, false, false>(n, x, v, a, 0.5 * h, h, X, V, nullptr);
-  }
-}
-
-template <std::size_t N>
-double halfKick(std::size_t n, const double* a, double h, const double* X, double* __restrict V) {
-  const double k = 0.5 * h;
-  Wide wideBad{};
-  One oneBad{};
-  overLanes<N>(n, [&](auto kind, std::size_t i) MUELLE_INLINE {
-    using T = decltype(kind);
-    T velocity = T::load(V + i);
-    velocity.value = velocity.value + k * T::load(a + i).value;
+template <std::size_t Lanes, std::size_t N>
+double twoHalfKicks(std::size_t n, const double* v, const double* a, const double* b, double h, double* V) {
+  Collected<Lanes> total;
+  overBlocks<Lanes, N>(n, [&](auto kind, std::size_t i) MUELLE_INLINE {
+    using B = decltype(kind);
+    const B velocity = B::load(v + i) + (0.5 * h) * B::load(a + i) + (0.5 * h) * B::load(b + i);
     velocity.store(V + i);
-    const T position = T::load(X + i);
-    if constexpr (T::lanes == 1) oneBad.value += 0.0 * velocity.value + 0.0 * position.value;
-    if constexpr (T::lanes > 1) wideBad.value += 0.0 * velocity.value + 0.0 * position.value;
+    total.add(velocity);
   });
-  for (std::size_t j = 0; j < Wide::lanes; ++j) oneBad.value += wideBad.value[j];
-  return oneBad.value;
+  return total.sum();
 }
+
+/// What stages need is arithmetic, of which the widest registers do most; what the other three do is to load and to
+/// store, for which four lanes are enough: more span two lines of the cache wherever a state's vector begins.
+constexpr std::size_t narrow = MUELLE_LANES > 4 ? 4 : MUELLE_LANES;
+
+template <std::size_t Lanes, std::size_t N>
+constexpr StageKernels kernelsFor{stage<Lanes, N>, end<Lanes, N>, kickDrift<(Lanes > narrow ? narrow : Lanes), N>,
+                                  halfKickDrift<(Lanes > narrow ? narrow : Lanes), N>,
+                                  twoHalfKicks<(Lanes > narrow ? narrow : Lanes), N>};
 
 }  // namespace
 
-/// By the number of lanes: any, 1, 2, 3, 4.
+/// By the number of lanes: any, 1, 2, 3, 4. A node of two or four lanes is written in one piece, as forces read it: a
+/// load waits long for two stores that it spans.
 extern const StageKernels MUELLE_KERNELS[5];
-const StageKernels MUELLE_KERNELS[5] = {
-    {manyStage<mostStageTerms>, manyEnd<mostStageTerms>, kickDrift<0>, halfKickDrift<0>, halfKick<0>},
-    {fewStage<1>, fewEnd<1>, kickDrift<1>, halfKickDrift<1>, halfKick<1>},
-    {fewStage<2>, fewEnd<2>, kickDrift<2>, halfKickDrift<2>, halfKick<2>},
-    {fewStage<3>, fewEnd<3>, kickDrift<3>, halfKickDrift<3>, halfKick<3>},
-    {fewStage<4>, fewEnd<4>, kickDrift<4>, halfKickDrift<4>, halfKick<4>}};
+const StageKernels MUELLE_KERNELS[5] = {kernelsFor<MUELLE_LANES, 0>, kernelsFor<1, 1>, kernelsFor<2, 2>,
+                                        kernelsFor<1, 3>, kernelsFor<narrow, 4>};
 
 }  // namespace muelle::engine

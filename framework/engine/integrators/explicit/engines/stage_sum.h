@@ -2,7 +2,6 @@
 #include "engine/integrators/explicit/engines/stage_kernels.h"
 #include "engine/integrators/explicit/tableaus.h"
 
-#include <array>
 #include <vector>
 
 namespace muelle::engine {
@@ -15,26 +14,26 @@ class StageSum {
   /// \param ex, ev the same of estimates
   StageSum(const Coefficients& wx, const Coefficients& wv, const std::vector<Coefficients>& ex = {},
            const std::vector<Coefficients>& ev = {});
+  StageSum(StageSum&&) = default;  // no copy: terms_ points into vectors
+  StageSum& operator=(StageSum&&) = default;
 
-  /// With where the accelerations are now.
-  StageTerms over(const std::vector<double*>& accelerations) const {
-    StageTerms terms;
-    terms.count = stages_.size();
-    for (std::size_t j = 0; j < terms.count; ++j) terms.a[j] = accelerations[stages_[j]];
-    terms.wx = wx_.data();
-    terms.wv = wv_.data();
-    return terms;
+  /// Says where the accelerations are now.
+  void readFrom(const std::vector<double*>& accelerations) {
+    for (std::size_t j = 0; j < terms_.count; ++j) terms_.a[j] = accelerations[stages_[j]];
   }
-  std::size_t estimates() const { return estimates_.size(); }
-  std::array<StageEstimate, 2> estimatesOver() const;
+  /// For steps of h [s] from now on.
+  void scale(double h);
+  const StageTerms& terms() const { return terms_; }
+  std::size_t estimates() const { return estimates_; }
+  const StageEstimate* estimateWeights() const { return weights_; }
 
  private:
-  struct Estimate {
-    std::vector<double> ex, ev;
-  };
+  std::size_t estimates_ = 0;
+  StageTerms terms_;
+  StageEstimate weights_[2] = {};
   std::vector<std::size_t> stages_;
-  std::vector<double> wx_, wv_;
-  std::vector<Estimate> estimates_;
+  std::vector<double> unscaled_;  ///< all wx, all wv, and ex, ev of each estimate
+  std::vector<double> scaled_;    ///< by h^2, h, h^2, h ...
 };
 
 }  // namespace muelle::engine

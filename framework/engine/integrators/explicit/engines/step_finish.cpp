@@ -15,6 +15,12 @@ double largestErrorRatio(In estimate, In from, In to, double allowed) {
   return largest;
 }
 
+void takeSizes(const State& from, State& to) {
+  to.x.resize(from.x.size());
+  to.v.resize(from.v.size());
+  to.z = from.z;
+}
+
 int firstNotFinite(In values) {
   // The sum first: it is one pass without a branch, and nearly always suffices.
   double zeros = 0.0;

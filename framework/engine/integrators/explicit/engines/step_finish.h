@@ -30,11 +30,13 @@ inline double larger(double a, double b) { return std::isnan(a) || a > b ? a : b
 /// The largest errorRatio() of an estimate; not a number where one is none.
 double largestErrorRatio(In estimate, In from, In to, double allowed);
 
+/// Gives `to` the sizes and z of `from`.
+void takeSizes(const State& from, State& to);
+
 /// Sets the sizes, z and time of the result of a step of h.
 inline void prepareResult(const State& from, double h, State& to) {
-  to.x.resize(from.x.size());
-  to.v.resize(from.v.size());
-  if (!from.z.empty() || !to.z.empty()) to.z = from.z;
+  const bool hasSizes = to.x.size() == from.x.size() && to.v.size() == from.v.size();
+  if (!hasSizes || !from.z.empty() || !to.z.empty()) takeSizes(from, to);
   to.t = from.t + h;
 }
 
