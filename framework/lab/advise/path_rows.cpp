@@ -1,0 +1,55 @@
+#include "lab/advise/path_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace muelle::lab {
+
+using namespace engine;
+
+namespace {
+
+double largestNodeGap(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i + 2 < a.size(); i += 3) {
+    double squares = 0.0;
+    for (std::size_t c = i; c < i + 3; ++c) squares += (a[c] - b[c]) * (a[c] - b[c]);
+    if (!(squares <= largest)) largest = squares;  // a NaN stays
+  }
+  return std::sqrt(largest);
+}
+
+}  // namespace
+
+void PathRows::add(std::size_t time, const ModelSystem& system, const State& state) {
+  at.push_back(time);
+  std::vector<double>& positions = x.emplace_back();
+  std::vector<double>& velocities = v.emplace_back();
+  for (int node = 0; node < system.nodeCount(); ++node) {
+    const Vec3 place = system.position(state, node), velocity = system.velocity(state, node);
+    positions.insert(positions.end(), place.begin(), place.end());
+    velocities.insert(velocities.end(), velocity.begin(), velocity.end());
+  }
+}
+
+MotionSize distanceOf(const PathRows& a, const PathRows& b) {
+  MotionSize apart;
+  std::size_t j = 0, common = 0;
+  for (std::size_t i = 0; i < a.at.size(); ++i) {
+    while (j < b.at.size() && b.at[j] < a.at[i]) ++j;
+    if (j == b.at.size()) break;
+    if (b.at[j] != a.at[i]) continue;
+    ++common;
+    apart.position = std::max(apart.position, largestNodeGap(a.x[i], b.x[j]));
+    apart.velocity = std::max(apart.velocity, largestNodeGap(a.v[i], b.v[j]));
+  }
+  if (common == 0) throw std::logic_error("two runs have no time in common");
+  return apart;
+}
+
+double errorIn(const MotionSize& distance, const MotionSize& motion) {
+  return std::max(distance.position / motion.position, distance.velocity / motion.velocity);
+}
+
+}  // namespace muelle::lab

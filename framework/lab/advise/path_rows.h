@@ -1,0 +1,30 @@
+#pragma once
+#include "engine/model/model_system.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace muelle::lab {
+
+/// Positions and velocities of all nodes at some of the times at which runs are compared, in the user's numbering and
+/// with three components a node, so that runs of differently built models can be compared.
+struct PathRows {
+  std::vector<std::size_t> at;  ///< which of the times, ascending
+  std::vector<std::vector<double>> x, v;
+
+  void add(std::size_t time, const engine::ModelSystem& system, const State& state);
+};
+
+/// How far and how fast nodes move, or how far two motions are apart, each at its largest.
+struct MotionSize {
+  double position = 0.0;  ///< [m]
+  double velocity = 0.0;  ///< [m/s]
+};
+
+/// The largest distance of a node between two motions, at the times that both have.
+MotionSize distanceOf(const PathRows& a, const PathRows& b);
+
+/// A distance in parts of a motion: the larger of both parts, which is the error that `muelle run` prints.
+double errorIn(const MotionSize& distance, const MotionSize& motion);
+
+}  // namespace muelle::lab

@@ -1,0 +1,262 @@
+#include "lab/advise/pilot.h"
+
+#include "engine/control/motion_frame.h"
+#include "engine/control/run_checks.h"
+#include "engine/control/simulation.h"
+#include "engine/integrators/catalogue.h"
+#include "lab/bench/stopwatch.h"
+#include "lab/run/run_scene.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace muelle::lab {
+
+using namespace engine;
+
+namespace {
+
+constexpr long long sampleCount = 240;  // has many divisors
+constexpr double mostNumbers = 2e6;     // of all rows of a run: 16 MB
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// Asks the clock rarely where steps are short.
+class Deadline {
+ public:
+  explicit Deadline(double seconds) : seconds_(seconds), begin_(Clock::now()), last_(begin_) {}
+
+  bool passed() {
+    if (++calls_ < stride_) return false;
+    calls_ = 0;
+    const Clock::time_point now = Clock::now();
+    if (std::chrono::duration<double>(now - last_).count() < 1e-3) stride_ = std::min(2 * stride_, 1024);
+    last_ = now;
+    return std::chrono::duration<double>(now - begin_).count() > seconds_;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double seconds_;
+  Clock::time_point begin_, last_;
+  int calls_ = 0, stride_ = 1;
+};
+
+double gapOf(const Obstacle& obstacle, const Vec3& x, double t) {
+  const Vec3 r = x - obstacle.centre - obstacle.velocity * std::min(t, obstacle.stopTime);
+  if (obstacle.kind == Obstacle::Kind::Plane) return obstacle.normal.dot(r);
+  if (obstacle.kind == Obstacle::Kind::Sphere) return r.norm() - obstacle.radius;
+  return (r.cwiseAbs() - obstacle.halfSize).maxCoeff();
+}
+
+/// How near free nodes come to each obstacle. A step is looked at at its end: less the way of a node in it, the gap
+/// held all along.
+class GapWatch {
+ public:
+  GapWatch(const ModelSystem& system, PilotRun& run) : system_(system), run_(run) {
+    run.leastGap.assign(system.model().obstacles.size(), never);
+    run.firstTouch.assign(run.leastGap.size(), never);
+  }
+
+  void see(const State& state, double step) {
+    const Model& model = system_.model();
+    if (model.obstacles.empty()) return;
+    for (int node = 0; node < system_.nodeCount(); ++node) {
+      if (!isFree(model.nodes[static_cast<std::size_t>(node)])) continue;
+      const Vec3 x = system_.position(state, node), v = system_.velocity(state, node);
+      for (std::size_t i = 0; i < model.obstacles.size(); ++i) {
+        const Obstacle& obstacle = model.obstacles[i];
+        const Vec3 w = state.t < obstacle.stopTime ? obstacle.velocity : Vec3::Zero();
+        const double gap = gapOf(obstacle, x, state.t);
+        if (gap <= 0.0 && state.t < run_.firstTouch[i]) run_.firstTouch[i] = state.t;
+        run_.leastGap[i] = std::min(run_.leastGap[i], gap - step * (v - w).norm());
+      }
+    }
+  }
+
+ private:
+  const ModelSystem& system_;
+  PilotRun& run_;
+};
+
+}  // namespace
+
+Looks::Looks(const Scene& scene) : duration_(scene.duration), dense_(scene.outputInterval > 0.0) {
+  const double numbers = 6.0 * static_cast<double>(std::max<std::size_t>(1, scene.model.nodes.size()));
+  if (dense_) {
+    const auto outputs = static_cast<long long>(std::floor(scene.duration / scene.outputInterval * (1.0 + 1e-12)));
+    const double room = std::clamp(mostNumbers / numbers, 24.0, static_cast<double>(sampleCount));
+    const long long stride = 1 + outputs / static_cast<long long>(room);
+    for (long long i = stride; i <= outputs; i += stride)
+      times_.push_back(scene.outputInterval * static_cast<double>(i));
+    if (times_.empty() || times_.back() < duration_ * (1.0 - 1e-9)) times_.push_back(duration_);
+    times_.back() = std::min(times_.back(), duration_);
+    return;
+  }
+  long long samples = sampleCount;
+  while (samples > 24 && static_cast<double>(samples) * numbers > mostNumbers) samples /= 2;
+  for (long long i = 1; i <= samples; ++i) {
+    times_.push_back(duration_ * static_cast<double>(i) / static_cast<double>(samples));
+  }
+}
+
+long long Looks::stepsOf(double h) const {
+  // A step that divides the duration but for rounding is not cut into one more.
+  const double exact = std::ceil(duration_ / h * (1.0 - 1e-9));
+  if (!(exact < 1e15)) throw std::invalid_argument("a step that is a billionth of the run, or shorter");
+  const long long steps = std::max(1LL, static_cast<long long>(exact));
+  if (dense_) return steps;
+  // Ends of steps have to fall on these times, at a step that is hardly shorter.
+  constexpr long long few[] = {1, 2, 3, 4, 5, 6, 8, 10, 12, 15, 16, 20, 24};
+  if (steps <= few[std::size(few) - 1]) return *std::ranges::lower_bound(few, steps);
+  long long multiple = 2;
+  for (const long long m : {3, 6, 12, 24, 48}) {
+    if (10 * m <= steps) multiple = m;
+  }
+  return (steps + multiple - 1) / multiple * multiple;
+}
+
+std::vector<std::size_t> Looks::ofSteps(long long steps) const {
+  if (dense_) return some(count());
+  const auto samples = static_cast<long long>(count());
+  return some(static_cast<std::size_t>(std::gcd(steps, samples)));
+}
+
+std::vector<std::size_t> Looks::some(std::size_t most) const {
+  const std::size_t all = count();
+  std::vector<std::size_t> chosen;
+  if (!dense_) {
+    while (all % most != 0) --most;
+    for (std::size_t i = 1; i <= most; ++i) chosen.push_back(i * (all / most) - 1);
+    return chosen;
+  }
+  const std::size_t stride = 1 + (all - 1) / most;
+  for (std::size_t i = all; i > 0; i = i > stride ? i - stride : 0) chosen.push_back(i - 1);
+  std::ranges::reverse(chosen);
+  return chosen;
+}
+
+StepOptions Pilots::optionsOf(const Setting& setting) const {
+  StepOptions options = lab::optionsOf(withSetting(scene_, setting));
+  if (setting.fixed && !looks_.isDense()) {
+    options.h = scene_.duration / static_cast<double>(looks_.stepsOf(setting.value));
+  }
+  return options;
+}
+
+PilotRun Pilots::run(const Setting& setting, const PilotLimits& limits, std::size_t few) const {
+  PilotRun run;
+  run.setting = setting;
+  StepOptions options = optionsOf(setting);
+  if (setting.fixed) run.setting.value = options.h;
+  std::vector<std::size_t> looks = looks_.some(looks_.count());
+  if (!looks_.isDense() && !limits.isReference) {
+    looks = setting.fixed ? looks_.ofSteps(std::llround(scene_.duration / options.h)) : looks_.some(few);
+  }
+  const bool hits = !looks_.isDense() || limits.isReference;
+  if (hits) {
+    for (const std::size_t look : looks) options.outputTimes.push_back(looks_.time(look));
+  }
+  Deadline deadline(limits.seconds);
+  const double begun = bench::processorTime();
+  try {
+    const std::unique_ptr<Integrator> method = makeMethod(setting.method);
+    const State start = limits.start != nullptr ? *limits.start : system_.initialState();
+    Simulation simulation(system_, *method, start, options);
+    MotionFrame frame(system_, start);
+    GapWatch gaps(system_, run);
+    const bool watches = limits.isReference || limits.watchesGaps;
+    if (watches) gaps.see(simulation.state(), 0.0);
+    if (limits.isReference) run.states.push_back(simulation.state());
+    std::size_t next = 0;
+    while (true) {
+      const Advance advance = simulation.advance();
+      if (!advance.goesOn()) break;
+      const double t = simulation.time();
+      if (limits.isReference) {
+        const ErrorScale size = frame.sizeAt(system_, simulation.state());
+        run.motion.position = std::max(run.motion.position, size.position);
+        run.motion.velocity = std::max(run.motion.velocity, size.velocity);
+        const double third = scene_.duration / 3.0 * static_cast<double>(run.states.size());
+        if (run.states.size() < 4 && t >= third) run.states.push_back(simulation.state());
+      }
+      if (watches) gaps.see(simulation.state(), advance.length);
+      const double slack = 1e-12 * scene_.duration;
+      while (next < looks.size() && looks_.time(looks[next]) <= t + slack) {
+        if (hits) {
+          run.rows.add(looks[next], system_, simulation.state());
+        } else if (advance.kind == Advance::Kind::Step) {
+          run.rows.add(looks[next], system_, simulation.at(std::min(t, looks_.time(looks[next]))));
+        } else {
+          break;
+        }
+        ++next;
+      }
+      if (deadline.passed()) {
+        run.outOfTime = true;
+        break;
+      }
+    }
+    run.reached = simulation.time();
+    run.steps = simulation.work().steps + simulation.work().rejectedSteps;
+    run.evaluations = simulation.work().forceEvaluations;
+    if (!simulation.finished()) {
+      run.failure = run.outOfTime ? "given up for its time" : simulation.stop().message;
+    } else if (next < looks.size()) {
+      run.failure = "the run ended before its last output";
+    }
+  } catch (const std::invalid_argument& problem) {
+    run.failure = problem.what();
+  }
+  run.seconds = bench::processorTime() - begun;
+  return run;
+}
+
+double Pilots::bareSeconds(const Setting& setting) const {
+  const StepOptions options = optionsOf(setting);
+  const double begun = bench::processorTime();
+  const std::unique_ptr<Integrator> method = makeMethod(setting.method);
+  Simulation simulation(system_, *method, system_.initialState(), options);
+  while (simulation.advance().goesOn()) {
+  }
+  return bench::processorTime() - begun;
+}
+
+double Pilots::secondsOfStep(const std::string& id, double h) const {
+  StepOptions options = optionsOf({id, true, h});
+  options.h = h;
+  const std::unique_ptr<Integrator> method = makeMethod(id);
+  constexpr double enough = 3e-4;  // [s]
+  double best = never, spent = 0.0;
+  // The first step of a run prepares what the others use.
+  for (int round = 0; round < 50 && spent < enough; ++round) {
+    Simulation simulation(system_, *method, system_.initialState(), options);
+    double begun = bench::processorTime();
+    if (!simulation.advance().goesOn()) return never;
+    double taken = bench::processorTime() - begun;
+    spent += taken;
+    if (taken > 0.02) return std::min(best, taken);
+    begun = bench::processorTime();
+    int steps = 0;
+    while (steps < 8 && simulation.advance().goesOn()) ++steps;
+    taken = bench::processorTime() - begun;
+    spent += taken;
+    if (steps > 0) best = std::min(best, taken / steps);
+  }
+  return best;
+}
+
+std::string refusalOf(const ModelSystem& system, const std::string& id) {
+  try {
+    const std::unique_ptr<Integrator> method = makeMethod(id);
+    checkRodsAreHeld(system, method->info());
+    method->prepare(system, {});
+  } catch (const std::invalid_argument& problem) {
+    return problem.what();
+  }
+  return {};
+}
+
+}  // namespace muelle::lab

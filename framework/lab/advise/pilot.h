@@ -1,0 +1,90 @@
+#pragma once
+#include "engine/model/model_system.h"
+#include "engine/scene/scene.h"
+#include "lab/advise/path_rows.h"
+#include "lab/advise/setting.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace muelle::lab {
+
+/// The equal times at which runs of a scene are compared, the end the last of them.
+///
+/// A scene with an output interval is looked at through dense output, as `muelle run` records it, at some of its
+/// outputs; another one at ends of steps, which then fall on these times.
+class Looks {
+ public:
+  explicit Looks(const engine::Scene& scene);
+
+  std::size_t count() const { return times_.size(); }
+  double time(std::size_t i) const { return times_[i]; }
+  bool isDense() const { return dense_; }
+  /// How many equal steps of about `h` [s], no longer, fill the duration so that some of them end at these times.
+  long long stepsOf(double h) const;
+  /// Which of the times are looked at in a run with so many fixed steps.
+  std::vector<std::size_t> ofSteps(long long steps) const;
+  /// `most` of the times or fewer, evenly spread.
+  std::vector<std::size_t> some(std::size_t most) const;
+
+ private:
+  double duration_;
+  bool dense_;
+  std::vector<double> times_;
+};
+
+/// Until when a run may go on.
+struct PilotLimits {
+  double seconds = std::numeric_limits<double>::infinity();  ///< of the clock on the wall
+  bool isReference = false;      ///< looked at at all times, at ends of steps; motion, states and gaps are kept
+  bool watchesGaps = false;      ///< gaps are kept
+  const State* start = nullptr;  ///< in place of the scene's
+};
+
+/// What became of a run.
+struct PilotRun {
+  Setting setting;  ///< the step as it was taken
+  PathRows rows;
+  double seconds = 0.0;  ///< of the processor
+  long long steps = 0, evaluations = 0;
+  std::string failure;             ///< one line; empty when the end was reached
+  bool outOfTime = false;          ///< it was given up
+  double reached = 0.0;            ///< [s] of the scene
+  MotionSize motion;               ///< of a reference
+  std::vector<State> states;       ///< of a reference: the start and some on the way
+  std::vector<double> leastGap;    ///< [m] of a node from each obstacle, at any end of a step, less the way of a step
+  std::vector<double> firstTouch;  ///< [s] of each obstacle; infinite: never
+  bool done() const { return failure.empty(); }
+};
+
+/// Runs of one model of a scene. The scene and the system must outlive it.
+class Pilots {
+ public:
+  Pilots(const engine::Scene& scene, const engine::ModelSystem& system)
+      : scene_(scene), system_(system), looks_(scene) {}
+
+  const engine::ModelSystem& system() const { return system_; }
+  const engine::Scene& scene() const { return scene_; }
+  const Looks& looks() const { return looks_; }
+
+  /// Runs the scene to its end. A step is made a little shorter, so that steps end where runs are compared.
+  /// \param few  an adaptive method without dense output ends its steps at so many times at most
+  PilotRun run(const Setting& setting, const PilotLimits& limits, std::size_t few = 12) const;
+  /// Seconds of the processor of the run alone, without looks.
+  double bareSeconds(const Setting& setting) const;
+  /// Seconds of a step of h [s] from the start, by a few of them.
+  double secondsOfStep(const std::string& method, double h) const;
+
+ private:
+  engine::StepOptions optionsOf(const Setting& setting) const;
+
+  const engine::Scene& scene_;
+  const engine::ModelSystem& system_;
+  Looks looks_;
+};
+
+/// Why the method cannot run the system, one line; empty when it can.
+std::string refusalOf(const engine::ModelSystem& system, const std::string& method);
+
+}  // namespace muelle::lab

@@ -1,0 +1,169 @@
+#include "lab/advise/reference_motion.h"
+
+#include "engine/model/axes.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace muelle::lab {
+
+using namespace engine;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double finestTolerance = 1e-13;
+
+/// Which methods make the reference, the coarser run first.
+struct Sources {
+  Setting coarse, fine;
+  double factor = 0.05;  ///< from the coarse value to the fine one
+};
+
+bool isAble(const Pilots& pilots, const char* id) { return refusalOf(pilots.system(), id).empty(); }
+
+/// Explicit ones first; where they take too long, those that step over fast modes.
+std::vector<Sources> sourcesFor(const Pilots& pilots, double tolerance) {
+  const double first = std::clamp(tolerance / 100.0, finestTolerance, 1e-4);
+  if (!pilots.system().rods().empty()) {
+    const double h = pilots.scene().step.value_or(pilots.scene().duration / 1000.0);
+    return {{{"rattle", true, std::min(h, pilots.scene().duration / 48.0)}, {"rattle", true, 0.0}, 0.5}};
+  }
+  std::vector<Sources> all;
+  const bool smooth = pilots.scene().model.obstacles.empty();
+  if (isAble(pilots, "nystrom8") && smooth) {
+    all.push_back({{"dop853", false, first}, {"nystrom8", false, 0.0}, 0.1});
+  } else {
+    all.push_back({{"dop853", false, first}, {"dop853", false, 0.0}, 0.03});
+  }
+  if (isAble(pilots, "esdirk4")) all.push_back({{"esdirk4", false, first}, {"esdirk4", false, 0.0}, 0.05});
+  return all;
+}
+
+class ReferenceSearch {
+ public:
+  ReferenceSearch(const Pilots& pilots, double tolerance, double seconds)
+      : pilots_(pilots), tolerance_(tolerance), seconds_(seconds), begin_(Clock::now()) {}
+
+  ReferenceMotion find() {
+    found_.failure = "no method makes a reference";
+    const std::vector<Sources> all = sourcesFor(pilots_, tolerance_);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      // What is left is shared with those that come after.
+      share_ = i + 1 < all.size() ? 0.6 : 1.0;
+      attempt(all[i]);
+      if (found_.stands()) break;
+    }
+    found_.seconds = spent_;
+    return std::move(found_);
+  }
+
+ private:
+  double left() const { return seconds_ - std::chrono::duration<double>(Clock::now() - begin_).count(); }
+
+  PilotRun take(const Setting& setting) {
+    PilotRun run = pilots_.run(setting, {.seconds = std::max(0.0, share_ * left()), .isReference = true});
+    spent_ += run.seconds;
+    return run;
+  }
+
+  void attempt(Sources sources) {
+    constexpr int mostRounds = 6;
+    PilotRun before = take(sources.coarse);
+    for (int round = 0; round < mostRounds; ++round) {
+      if (!before.done()) return fail(before);
+      if (before.motion.position == 0.0 || before.motion.velocity == 0.0) {
+        found_.failure = "nothing moves";
+        return;
+      }
+      sources.fine.value = sources.factor * before.setting.value;
+      if (!sources.fine.fixed) sources.fine.value = std::max(sources.fine.value, finestTolerance);
+      PilotRun finer = take(sources.fine);
+      if (!finer.done()) return fail(finer);
+      const double apart = errorIn(distanceOf(before.rows, finer.rows), finer.motion);
+      const bool finest = !finer.setting.fixed && finer.setting.value <= finestTolerance;
+      if (apart <= tolerance_ / 50.0 || ((finest || round + 1 == mostRounds) && apart <= tolerance_ / 8.0)) {
+        return settle(before, std::move(finer), apart);
+      }
+      if (finest) {
+        found_.failure = fmt::format("{} and {} at their finest differ by {:.1g} of the motion", before.setting.method,
+                                     finer.setting.method, apart);
+        found_.disagrees = true;
+        keep(std::move(finer), apart);
+        return;
+      }
+      // The next pair is so much finer that it should agree.
+      if (finer.setting.fixed) {
+        before = std::move(finer);
+        continue;
+      }
+      const double finer_by = std::clamp(tolerance_ / 100.0 / apart, 1e-4, 0.1);
+      sources.coarse.value = std::max(3.0 * finestTolerance, sources.coarse.value * finer_by);
+      before = take(sources.coarse);
+    }
+    found_.failure = "runs do not come to agree, however fine their steps";
+    found_.disagrees = true;
+  }
+
+  void settle(const PilotRun& before, PilotRun finer, double apart) {
+    found_.how = fmt::format("{} at {} against {} at {}", finer.setting.name(), finer.setting.valueText(),
+                             before.setting.name(), before.setting.valueText());
+    found_.failure.clear();
+    found_.outOfTime = found_.disagrees = false;
+    keep(std::move(finer), apart);
+  }
+  void keep(PilotRun finer, double apart) {
+    found_.run = std::move(finer);
+    found_.doubt = apart;
+  }
+  void fail(const PilotRun& run) {
+    found_.outOfTime = run.outOfTime;
+    found_.failure =
+        run.outOfTime ? fmt::format("{} at {} had come to {:.3g} of {:.3g} s when the time was over",
+                                    run.setting.method, run.setting.valueText(), run.reached, pilots_.scene().duration)
+                      : fmt::format("{} at {}: {}", run.setting.method, run.setting.valueText(), run.failure);
+  }
+
+  const Pilots& pilots_;
+  double tolerance_, seconds_;
+  Clock::time_point begin_;
+  double share_ = 1.0, spent_ = 0.0;
+  ReferenceMotion found_;
+};
+
+}  // namespace
+
+ReferenceMotion findReference(const Pilots& pilots, double tolerance, double seconds) {
+  return ReferenceSearch(pilots, tolerance, seconds).find();
+}
+
+double growthOf(const Pilots& pilots, const ReferenceMotion& reference, int axis, double seconds) {
+  const ModelSystem& system = pilots.system();
+  const Model& model = system.model();
+  State start = system.initialState();
+  const double offset = 1e-7 * reference.run.motion.position;
+  std::mt19937 dice(9);
+  double disturbed = 0.0;
+  for (int node = 0; node < system.nodeCount(); ++node) {
+    if (!isFree(model.nodes[static_cast<std::size_t>(node)])) continue;
+    double squares = 0.0;
+    for (const int c : engine::axesOf(model)) {
+      if (axis >= 0 && c != axis) continue;
+      const double part = offset * (static_cast<double>(dice() % 2001) / 1000.0 - 1.0);
+      start.x[static_cast<std::size_t>(system.lane(node, c))] += part;
+      squares += part * part;
+    }
+    disturbed = std::max(disturbed, std::sqrt(squares));
+  }
+  start.z.clear();
+  const PilotRun other = pilots.run(reference.run.setting, {.seconds = seconds, .isReference = true, .start = &start});
+  if (!other.done()) return std::numeric_limits<double>::infinity();
+  return distanceOf(other.rows, reference.run.rows).position / disturbed;
+}
+
+}  // namespace muelle::lab
