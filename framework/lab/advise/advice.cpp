@@ -3,6 +3,7 @@
 #include "lab/run/foresight.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -48,22 +49,110 @@ class Adviser {
   void consider() {
     const std::unique_ptr<ModelSystem> system = build(scene_.model);
     const Pilots pilots(scene_, *system);
-    advice_.reference = findReference(pilots, options_.tolerance, 0.6 * left());
+    advice_.reference = findReference(pilots, options_.tolerance, 0.5 * left());
     options_.progress(0.3);
     if (!advice_.reference.stands()) return refuse(pilots);
     advice_.costs = unitCosts(pilots);
-    advice_.share = energyShare(*system, advice_.reference.run.states);
-    const auto estimates = estimateMethods(pilots, advice_.share, options_.tolerance);
-    options_.progress(0.4);
-    advice_.methods = chooseMethod(pilots, advice_.reference, estimates, options_.tolerance, 0.0, left(),
-                                   [this](double part) { options_.progress(0.4 + 0.6 * part); });
-    if (advice_.methods.chosen() == nullptr) {
-      advice_.refusal =
-          advice_.methods.outOfTime
-              ? fmt::format("no method was seen to keep it in the {:.3g} s of the budget: give a larger --budget",
-                            options_.budget)
-              : "no method keeps it";
+    advice_.share = shareOf(*system);
+    advice_.whole = choose(pilots, 0.4 * left(), 0.35, 0.6);
+    if (advice_.whole.chosen() == nullptr) return refuseMethods();
+    advice_.parts =
+        tryParts(pilots, advice_.reference, advice_.whole.chosen()->setting, options_.tolerance, 0.6 * left());
+    options_.progress(0.7);
+    settleModel(pilots);
+    advice_.scene = withSetting(std::move(advice_.scene), advice_.methods.chosen()->setting);
+  }
+
+  EnergyShare shareOf(const ModelSystem& system) const {
+    // A few of the states are enough to see where the energy is.
+    const std::vector<State>& all = advice_.reference.run.states;
+    std::vector<State> some;
+    for (std::size_t i = 0; i < all.size(); i += 4) some.push_back(all[i]);
+    return energyShare(system, some, advice_.reference.run.touches());
+  }
+
+  /// \param from, to  of the progress
+  MethodChoice choose(const Pilots& pilots, double seconds, double from, double to) {
+    const auto estimates = estimateMethods(pilots, advice_.share, advice_.costs, options_.tolerance);
+    const auto tell = [&](double part) { options_.progress(from + (to - from) * part); };
+    return chooseMethod(pilots, advice_.reference, estimates, options_.tolerance, seconds, tell);
+  }
+
+  /// Leaves out what was decided, and chooses anew where that makes another model.
+  void settleModel(const Pilots& whole) {
+    advice_.scene = scene_;
+    advice_.methods = advice_.whole;
+    while (true) {
+      const std::vector<ModelPart> parts =
+          leaveOutTogether(whole, advice_.reference, advice_.parts, options_.tolerance, 0.5 * left());
+      if (parts.empty()) return;
+      const Scene rest = without(scene_, parts);
+      const std::unique_ptr<ModelSystem> system = build(rest.model);
+      const Pilots pilots(rest, *system, &scene_.model.obstacles);
+      MethodChoice choice = choose(pilots, left(), 0.7, 1.0);
+      if (choice.chosen() == nullptr || choice.chosen()->seconds > advice_.whole.chosen()->seconds) {
+        keepAll("without it the run was not seen to be faster");
+        return;
+      }
+      if (!keepsAway(pilots, choice.chosen()->setting, parts)) continue;
+      advice_.scene = rest;
+      advice_.methods = std::move(choice);
+      climb(whole, parts);
+      return;
     }
+  }
+
+  void keepAll(const std::string& why) {
+    for (PartTrial& trial : advice_.parts) {
+      if (trial.leftOut) trial.why = why;
+      trial.leftOut = false;
+    }
+  }
+
+  /// Whether the advised run itself keeps away from the obstacles that were left out; one that it touches comes back.
+  bool keepsAway(const Pilots& pilots, const Setting& setting, const std::vector<ModelPart>& parts) {
+    const bool watched =
+        std::ranges::any_of(parts, [](const ModelPart& p) { return p.kind == ModelPart::Kind::Contact; });
+    if (!watched) return true;
+    const PilotRun run = pilots.run(setting, {.watchesGaps = true});
+    bool all = true;
+    for (PartTrial& trial : advice_.parts) {
+      if (!trial.leftOut || trial.part.kind != ModelPart::Kind::Contact) continue;
+      if (run.leastGap[trial.part.obstacle] > 0.0) continue;
+      trial.leftOut = all = false;
+      trial.why = "the run without it comes too near";
+    }
+    return all;
+  }
+
+  /// The way from the whole model to the advised one, a part at a time.
+  void climb(const Pilots& whole, const std::vector<ModelPart>& parts) {
+    const Candidate& before = *advice_.whole.chosen();
+    addStep("whole model", whole, before.setting, before.seconds);
+    std::vector<ModelPart> gone;
+    for (const ModelPart& part : parts) {
+      gone.push_back(part);
+      const bool last = gone.size() == parts.size();
+      const Scene rest = without(scene_, gone);
+      const std::unique_ptr<ModelSystem> system = build(rest.model);
+      const Pilots pilots(rest, *system);
+      const Setting& aim = advice_.methods.chosen()->setting;
+      const Setting setting = refusalOf(*system, aim.method).empty() ? aim : before.setting;
+      addStep("without " + part.name, pilots, setting,
+              last ? advice_.methods.chosen()->seconds : pilots.bareSeconds(setting));
+    }
+  }
+  void addStep(const std::string& name, const Pilots& pilots, const Setting& setting, double seconds) {
+    const PilotRun run = pilots.run(setting, {});
+    if (run.done()) advice_.ladder.push_back({name, setting, advice_.reference.errorOf(run.rows), seconds});
+  }
+
+  void refuseMethods() {
+    advice_.refusal =
+        advice_.whole.outOfTime
+            ? fmt::format("no method was seen to keep it in the {:.3g} s of the budget: give a larger --budget",
+                          options_.budget)
+            : "no method keeps it";
   }
 
   void refuse(const Pilots& pilots) {
@@ -87,6 +176,14 @@ class Adviser {
 };
 
 }  // namespace
+
+std::vector<ModelPart> Advice::leftOut() const {
+  std::vector<ModelPart> all;
+  for (const PartTrial& trial : parts) {
+    if (trial.leftOut) all.push_back(trial.part);
+  }
+  return all;
+}
 
 Advice advise(const Scene& scene, const AdviceOptions& options) {
   checkOptions(options);

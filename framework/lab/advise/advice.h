@@ -1,6 +1,7 @@
 #pragma once
 #include "engine/scene/scene.h"
 #include "lab/advise/method_search.h"
+#include "lab/advise/part_trial.h"
 
 #include <functional>
 #include <string>
@@ -15,6 +16,14 @@ struct AdviceOptions {
   std::function<void(double fraction)> progress = [](double) {};
 };
 
+/// A run of the scene with some of its parts left out, on the way from the whole model to the one that is advised.
+struct LadderStep {
+  std::string left;  ///< "whole model", "without drag"
+  Setting setting;
+  double error = 0.0;    ///< in parts of the motion of the whole model, as it was found
+  double seconds = 0.0;  ///< of the processor
+};
+
 /// The cheapest way found to run a scene within an error, or why nothing can be said.
 struct Advice {
   double tolerance = 0.0, budget = 0.0;
@@ -22,10 +31,16 @@ struct Advice {
   ReferenceMotion reference;
   EnergyShare share;
   UnitCosts costs;
-  MethodChoice methods;
-  double growth = 0.0;   ///< of a small disturbance of the start, where it was looked for; else 0
-  double seconds = 0.0;  ///< of the clock on the wall, of all of it
+  MethodChoice whole;              ///< methods for the whole model
+  std::vector<PartTrial> parts;    ///< what could be left out of it
+  engine::Scene scene;             ///< the scene that is advised: without these parts, by the chosen method
+  MethodChoice methods;            ///< for that scene; their errors are those against the whole model
+  std::vector<LadderStep> ladder;  ///< empty where nothing was left out
+  double growth = 0.0;             ///< of a small disturbance of the start, where it was looked for; else 0
+  double seconds = 0.0;            ///< of the clock on the wall, of all of it
 
+  /// The parts that were left out.
+  std::vector<ModelPart> leftOut() const;
   const Candidate* chosen() const { return refusal.empty() ? methods.chosen() : nullptr; }
 };
 

@@ -6,7 +6,13 @@ namespace muelle::lab {
 
 using namespace engine;
 
-EnergyShare energyShare(const ModelSystem& system, const std::vector<State>& states) {
+namespace {
+
+constexpr double ofContact = 0.1;  // a guess: how much of the energy goes through contacts
+
+}  // namespace
+
+EnergyShare energyShare(const ModelSystem& system, const std::vector<State>& states, bool touches) {
   EnergyShare share;
   double total = 0.0;
   for (const State& at : states) {
@@ -32,6 +38,19 @@ EnergyShare energyShare(const ModelSystem& system, const std::vector<State>& sta
       for (Mode& mode : share.modes) mode.energy *= 1e-9 / std::max(total, 1e-300);
       total = 1e-9;
     }
+  }
+  if (touches) {
+    // While nodes touch the contact vibrates, and steps have to follow it.
+    State closed = states.front();
+    system.switching()->close(closed);
+    Mode contact;
+    for (const Mode& mode : extremeModes(LinearisedSystem(system, closed))) {
+      if (mode.frequency() > contact.frequency()) contact = mode;
+    }
+    share.fastest = std::max(share.fastest, contact.frequency());
+    contact.energy = total > 0.0 ? ofContact * total : 1.0;
+    total += contact.energy;
+    share.modes.push_back(contact);
   }
   for (Mode& mode : share.modes) {
     mode.energy /= total;

@@ -16,6 +16,7 @@ struct EnergyShare {
 };
 
 /// The kinetic energy of each state is shared out over the modes about it; at rest, the acceleration's.
-EnergyShare energyShare(const engine::ModelSystem& system, const std::vector<State>& states);
+/// \param touches  whether nodes come to touch an obstacle: then the fastest contact counts as a mode
+EnergyShare energyShare(const engine::ModelSystem& system, const std::vector<State>& states, bool touches);
 
 }  // namespace muelle::lab

@@ -31,7 +31,7 @@ struct UnitCosts {
 UnitCosts unitCosts(const Pilots& pilots);
 
 /// Every method of the catalogue on the model, those that fit first, by the time that is foreseen.
-/// \param states  of the motion, to see in which modes its energy is
-std::vector<MethodEstimate> estimateMethods(const Pilots& pilots, const EnergyShare& share, double tolerance);
+std::vector<MethodEstimate> estimateMethods(const Pilots& pilots, const EnergyShare& share, const UnitCosts& costs,
+                                            double tolerance);
 
 }  // namespace muelle::lab

@@ -1,6 +1,7 @@
 #include "lab/advise/method_search.h"
 
 #include "lab/bench/statistics.h"
+#include "lab/bench/stopwatch.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -23,9 +24,8 @@ constexpr double roughly = 8.0, surely = 1.5;
 /// Searches one method's setting.
 class SettingSearch {
  public:
-  SettingSearch(const Pilots& pilots, const ReferenceMotion& reference, double allowed, double spent,
-                Candidate& candidate)
-      : pilots_(pilots), reference_(reference), allowed_(allowed), spent_(spent), candidate_(candidate) {}
+  SettingSearch(const Pilots& pilots, const ReferenceMotion& reference, double allowed, Candidate& candidate)
+      : pilots_(pilots), reference_(reference), allowed_(allowed), candidate_(candidate) {}
 
   /// \param best  seconds of the cheapest so far   \param left  tells the seconds that are left
   void run(double best, const std::function<double()>& left) {
@@ -36,7 +36,7 @@ class SettingSearch {
     constexpr int mostRuns = 8;
     for (int i = 0; i < mostRuns; ++i) {
       if (left() <= 0.0) return stop(true, "the time was over");
-      const double cap = std::min(left(), std::max(0.05, 10.0 * best));
+      const double cap = std::min(left(), std::max(0.02, 3.0 * best));
       const PilotRun run =
           pilots_.run({estimate.setting.method, estimate.setting.fixed, value}, {.seconds = cap}, few_);
       ++candidate_.runs;
@@ -68,7 +68,7 @@ class SettingSearch {
   std::optional<double> judge(const PilotRun& run, double asked) {
     Tried tried{asked, 0.0, run.seconds, !run.done()};
     if (run.done()) {
-      tried.error = statedFactor * (reference_.errorOf(run.rows) + reference_.doubt) + spent_;
+      tried.error = statedFactor * (reference_.errorOf(run.rows) + reference_.doubt);
       if (!std::isfinite(tried.error)) tried.failed = true;
     }
     if (!fixed() && run.steps > 300) few_ = 48;
@@ -145,7 +145,7 @@ class SettingSearch {
 
   const Pilots& pilots_;
   const ReferenceMotion& reference_;
-  double allowed_, spent_;
+  double allowed_;
   Candidate& candidate_;
   std::optional<Tried> last_, kept_;
   double coarsestBad_ = std::numeric_limits<double>::infinity();
@@ -155,6 +155,21 @@ class SettingSearch {
   bool outOfTime_ = false;
 };
 
+/// Where no search came to an end: the reference itself keeps the tolerance.
+void takeReference(MethodChoice& choice, const ReferenceMotion& reference) {
+  const Setting& setting = reference.run.setting;
+  for (Candidate& candidate : choice.candidates) {
+    if (candidate.estimate.setting.method != setting.method || candidate.estimate.setting.fixed != setting.fixed)
+      continue;
+    candidate.fate = Candidate::Fate::Keeps;
+    candidate.setting = setting;
+    candidate.error = statedFactor * 2.0 * reference.doubt;
+    candidate.seconds = reference.run.seconds;
+    candidate.runs += 1;
+    candidate.why = "what the others were held against";
+  }
+}
+
 /// Times those that are close to the cheapest in turn, without looks, and takes the median of each.
 void timeSideBySide(const Pilots& pilots, std::vector<Candidate*> close, const std::function<double()>& left) {
   constexpr int rounds = 7;
@@ -163,7 +178,10 @@ void timeSideBySide(const Pilots& pilots, std::vector<Candidate*> close, const s
   if (close.size() > most) close.resize(most);
   std::vector<std::vector<double>> times(close.size());
   for (int round = 0; round < rounds && left() > 0.0; ++round) {
-    for (std::size_t i = 0; i < close.size(); ++i) times[i].push_back(pilots.bareSeconds(close[i]->setting));
+    for (std::size_t i = 0; i < close.size(); ++i) {
+      const auto run = [&] { pilots.bareSeconds(close[i]->setting); };
+      times[i].push_back(bench::secondsOf(run, bench::processorTime, 1e-3));
+    }
   }
   for (std::size_t i = 0; i < close.size(); ++i) {
     if (!times[i].empty()) close[i]->seconds = bench::statisticsOf(times[i]).median;
@@ -177,13 +195,14 @@ const Candidate* MethodChoice::chosen() const {
 }
 
 MethodChoice chooseMethod(const Pilots& pilots, const ReferenceMotion& reference,
-                          const std::vector<MethodEstimate>& estimates, double tolerance, double spent, double seconds,
+                          const std::vector<MethodEstimate>& estimates, double tolerance, double seconds,
                           const std::function<void(double)>& progress) {
   const Clock::time_point begun = Clock::now();
   const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - begun).count(); };
   const auto left = [&] { return 0.85 * seconds - passed(); };
   MethodChoice choice;
-  double best = std::numeric_limits<double>::infinity();
+  // The reference's own run keeps the tolerance: nothing slower is of use.
+  double best = reference.run.seconds;
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     Candidate& candidate = choice.candidates.emplace_back();
     candidate.estimate = estimates[i];
@@ -200,13 +219,14 @@ MethodChoice chooseMethod(const Pilots& pilots, const ReferenceMotion& reference
       candidate.why = "the time was over";
       choice.outOfTime = true;
     } else {
-      SettingSearch search(pilots, reference, tolerance, spent, candidate);
+      SettingSearch search(pilots, reference, tolerance, candidate);
       search.run(best, left);
       choice.outOfTime = choice.outOfTime || search.outOfTime();
       if (candidate.keeps()) best = std::min(best, candidate.seconds);
     }
     progress(static_cast<double>(i + 1) / static_cast<double>(estimates.size()));
   }
+  if (std::ranges::none_of(choice.candidates, &Candidate::keeps)) takeReference(choice, reference);
   std::vector<Candidate*> close;
   for (Candidate& candidate : choice.candidates) {
     if (candidate.keeps() && candidate.seconds <= 2.0 * best) close.push_back(&candidate);

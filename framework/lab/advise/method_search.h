@@ -46,10 +46,10 @@ struct MethodChoice {
 /// Finds for each method, the most promising first, the setting at which it keeps the tolerance at the least cost, as
 /// long as it may become the cheapest; then times those that are close side by side.
 ///
-/// \param spent  of the tolerance by what has been left out of the model
+/// \param reference  of the whole model: what was left out of the one that is run counts as error
 /// \param seconds  of the clock on the wall
 MethodChoice chooseMethod(const Pilots& pilots, const ReferenceMotion& reference,
-                          const std::vector<MethodEstimate>& estimates, double tolerance, double spent, double seconds,
+                          const std::vector<MethodEstimate>& estimates, double tolerance, double seconds,
                           const std::function<void(double)>& progress);
 
 }  // namespace muelle::lab

@@ -22,12 +22,22 @@ double largestNodeGap(const std::vector<double>& a, const std::vector<double>& b
 
 }  // namespace
 
+Vec3 placeOf(const ModelSystem& system, const State& state, int node) {
+  const Vec3 moved = system.position(state, node);
+  const Model& model = system.model();
+  if (model.dimension == 3) return moved;
+  Vec3 place = model.nodes[static_cast<std::size_t>(node)].x;
+  place[0] = model.dimension == 1 ? moved[0] : place[0];
+  for (const int c : model.plane) place[c] = model.dimension == 2 ? moved[c] : place[c];
+  return place;
+}
+
 void PathRows::add(std::size_t time, const ModelSystem& system, const State& state) {
   at.push_back(time);
   std::vector<double>& positions = x.emplace_back();
   std::vector<double>& velocities = v.emplace_back();
   for (int node = 0; node < system.nodeCount(); ++node) {
-    const Vec3 place = system.position(state, node), velocity = system.velocity(state, node);
+    const Vec3 place = placeOf(system, state, node), velocity = system.velocity(state, node);
     positions.insert(positions.end(), place.begin(), place.end());
     velocities.insert(velocities.end(), velocity.begin(), velocity.end());
   }

@@ -15,6 +15,9 @@ struct PathRows {
   void add(std::size_t time, const engine::ModelSystem& system, const State& state);
 };
 
+/// Where a node is [m]; in directions that the model has not, where the scene puts it.
+Vec3 placeOf(const engine::ModelSystem& system, const State& state, int node);
+
 /// How far and how fast nodes move, or how far two motions are apart, each at its largest.
 struct MotionSize {
   double position = 0.0;  ///< [m]

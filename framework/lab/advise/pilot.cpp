@@ -21,6 +21,7 @@ namespace {
 
 constexpr long long sampleCount = 240;  // has many divisors
 constexpr double mostNumbers = 2e6;     // of all rows of a run: 16 MB
+constexpr std::size_t stateCount = 13;  // of a reference
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// Asks the clock rarely where steps are short.
@@ -55,19 +56,20 @@ double gapOf(const Obstacle& obstacle, const Vec3& x, double t) {
 /// held all along.
 class GapWatch {
  public:
-  GapWatch(const ModelSystem& system, PilotRun& run) : system_(system), run_(run) {
-    run.leastGap.assign(system.model().obstacles.size(), never);
+  GapWatch(const ModelSystem& system, const std::vector<Obstacle>& obstacles, PilotRun& run)
+      : system_(system), obstacles_(obstacles), run_(run) {
+    run.leastGap.assign(obstacles.size(), never);
     run.firstTouch.assign(run.leastGap.size(), never);
   }
 
   void see(const State& state, double step) {
     const Model& model = system_.model();
-    if (model.obstacles.empty()) return;
+    if (obstacles_.empty()) return;
     for (int node = 0; node < system_.nodeCount(); ++node) {
       if (!isFree(model.nodes[static_cast<std::size_t>(node)])) continue;
-      const Vec3 x = system_.position(state, node), v = system_.velocity(state, node);
-      for (std::size_t i = 0; i < model.obstacles.size(); ++i) {
-        const Obstacle& obstacle = model.obstacles[i];
+      const Vec3 x = placeOf(system_, state, node), v = system_.velocity(state, node);
+      for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+        const Obstacle& obstacle = obstacles_[i];
         const Vec3 w = state.t < obstacle.stopTime ? obstacle.velocity : Vec3::Zero();
         const double gap = gapOf(obstacle, x, state.t);
         if (gap <= 0.0 && state.t < run_.firstTouch[i]) run_.firstTouch[i] = state.t;
@@ -78,10 +80,15 @@ class GapWatch {
 
  private:
   const ModelSystem& system_;
+  const std::vector<Obstacle>& obstacles_;
   PilotRun& run_;
 };
 
 }  // namespace
+
+bool PilotRun::touches() const {
+  return std::ranges::any_of(firstTouch, [](double t) { return std::isfinite(t); });
+}
 
 Looks::Looks(const Scene& scene) : duration_(scene.duration), dense_(scene.outputInterval > 0.0) {
   const double numbers = 6.0 * static_cast<double>(std::max<std::size_t>(1, scene.model.nodes.size()));
@@ -166,9 +173,10 @@ PilotRun Pilots::run(const Setting& setting, const PilotLimits& limits, std::siz
     const State start = limits.start != nullptr ? *limits.start : system_.initialState();
     Simulation simulation(system_, *method, start, options);
     MotionFrame frame(system_, start);
-    GapWatch gaps(system_, run);
+    GapWatch gaps(system_, watched_, run);
     const bool watches = limits.isReference || limits.watchesGaps;
     if (watches) gaps.see(simulation.state(), 0.0);
+    run.startGap = run.leastGap;
     if (limits.isReference) run.states.push_back(simulation.state());
     std::size_t next = 0;
     while (true) {
@@ -179,8 +187,8 @@ PilotRun Pilots::run(const Setting& setting, const PilotLimits& limits, std::siz
         const ErrorScale size = frame.sizeAt(system_, simulation.state());
         run.motion.position = std::max(run.motion.position, size.position);
         run.motion.velocity = std::max(run.motion.velocity, size.velocity);
-        const double third = scene_.duration / 3.0 * static_cast<double>(run.states.size());
-        if (run.states.size() < 4 && t >= third) run.states.push_back(simulation.state());
+        const double nextState = scene_.duration / (stateCount - 1.0) * static_cast<double>(run.states.size());
+        if (run.states.size() < stateCount && t >= nextState * (1.0 - 1e-9)) run.states.push_back(simulation.state());
       }
       if (watches) gaps.see(simulation.state(), advance.length);
       const double slack = 1e-12 * scene_.duration;
@@ -219,7 +227,16 @@ double Pilots::bareSeconds(const Setting& setting) const {
   const double begun = bench::processorTime();
   const std::unique_ptr<Integrator> method = makeMethod(setting.method);
   Simulation simulation(system_, *method, system_.initialState(), options);
-  while (simulation.advance().goesOn()) {
+  if (looks_.isDense()) {
+    const double interval = scene_.outputInterval;
+    for (long long i = 1; simulation.advanceTo(std::min(scene_.duration, interval * static_cast<double>(i))); ++i) {
+      const double t = interval * static_cast<double>(i);
+      if (t >= scene_.duration) break;
+      simulation.at(t);
+    }
+  } else {
+    while (simulation.advance().goesOn()) {
+    }
   }
   return bench::processorTime() - begun;
 }

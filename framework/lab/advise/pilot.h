@@ -54,15 +54,22 @@ struct PilotRun {
   MotionSize motion;               ///< of a reference
   std::vector<State> states;       ///< of a reference: the start and some on the way
   std::vector<double> leastGap;    ///< [m] of a node from each obstacle, at any end of a step, less the way of a step
+  std::vector<double> startGap;    ///< [m] of each obstacle
   std::vector<double> firstTouch;  ///< [s] of each obstacle; infinite: never
   bool done() const { return failure.empty(); }
+  bool touches() const;
 };
 
-/// Runs of one model of a scene. The scene and the system must outlive it.
+/// Runs of one model of a scene. The scene, the system and the obstacles must outlive it.
 class Pilots {
  public:
-  Pilots(const engine::Scene& scene, const engine::ModelSystem& system)
-      : scene_(scene), system_(system), looks_(scene) {}
+  /// \param watched  obstacles that nodes are seen to keep away from; null: the model's own
+  Pilots(const engine::Scene& scene, const engine::ModelSystem& system,
+         const std::vector<engine::Obstacle>* watched = nullptr)
+      : scene_(scene),
+        system_(system),
+        looks_(scene),
+        watched_(watched != nullptr ? *watched : system.model().obstacles) {}
 
   const engine::ModelSystem& system() const { return system_; }
   const engine::Scene& scene() const { return scene_; }
@@ -71,7 +78,7 @@ class Pilots {
   /// Runs the scene to its end. A step is made a little shorter, so that steps end where runs are compared.
   /// \param few  an adaptive method without dense output ends its steps at so many times at most
   PilotRun run(const Setting& setting, const PilotLimits& limits, std::size_t few = 12) const;
-  /// Seconds of the processor of the run alone, without looks.
+  /// Seconds of the processor of a run as the scene asks for it: nothing is compared, its outputs are made.
   double bareSeconds(const Setting& setting) const;
   /// Seconds of a step of h [s] from the start, by a few of them.
   double secondsOfStep(const std::string& method, double h) const;
@@ -82,6 +89,7 @@ class Pilots {
   const engine::Scene& scene_;
   const engine::ModelSystem& system_;
   Looks looks_;
+  const std::vector<engine::Obstacle>& watched_;
 };
 
 /// Why the method cannot run the system, one line; empty when it can.

@@ -57,7 +57,8 @@ class ReferenceSearch {
       // What is left is shared with those that come after.
       share_ = i + 1 < all.size() ? 0.6 : 1.0;
       attempt(all[i]);
-      if (found_.stands()) break;
+      // Where fine runs differ so do runs of any other method.
+      if (found_.stands() || found_.disagrees) break;
     }
     found_.seconds = spent_;
     return std::move(found_);
