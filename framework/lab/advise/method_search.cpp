@@ -21,6 +21,13 @@ using Clock = std::chrono::steady_clock;
 /// that is known to take so many times the best.
 constexpr double roughly = 8.0, surely = 1.5;
 
+/// Three digits, no larger: for whoever reads it.
+double readable(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
+  const double digits = std::floor(value / unit * (1.0 + 1e-12));
+  return unit < 1.0 ? digits / std::round(1.0 / unit) : digits * unit;
+}
+
 /// Searches one method's setting.
 class SettingSearch {
  public:
@@ -35,6 +42,7 @@ class SettingSearch {
     if (estimate.setting.fixed && estimate.stepForError < 0.25 * value) value = 2.0 * estimate.stepForError;
     constexpr int mostRuns = 8;
     for (int i = 0; i < mostRuns; ++i) {
+      value = readable(value);
       if (left() <= 0.0) return stop(true, "the time was over");
       const double cap = std::min(left(), std::max(0.02, 3.0 * best));
       const PilotRun run =
@@ -70,6 +78,7 @@ class SettingSearch {
     if (run.done()) {
       tried.error = statedFactor * (reference_.errorOf(run.rows) + reference_.doubt);
       if (!std::isfinite(tried.error)) tried.failed = true;
+      if (!tried.failed) candidate_.points.push_back({tried.error / statedFactor, run.seconds});
     }
     if (!fixed() && run.steps > 300) few_ = 48;
     if (!tried.failed) seeOrder(tried);

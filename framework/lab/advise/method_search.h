@@ -13,6 +13,12 @@ namespace muelle::lab {
 /// times, and between them they may be farther apart.
 inline constexpr double statedFactor = 1.5;
 
+/// A run of a method at some setting.
+struct TriedPoint {
+  double error = 0.0;    ///< in parts of the motion, as it was found
+  double seconds = 0.0;  ///< of the processor, looks included
+};
+
 /// A method as it came out.
 struct Candidate {
   MethodEstimate estimate;
@@ -29,7 +35,8 @@ struct Candidate {
   double seconds = 0.0;    ///< of the processor: measured where it was run, else foreseen
   double orderSeen = 0.0;  ///< from two of its runs; 0: not seen
   int runs = 0;
-  std::string why;  ///< one line
+  std::vector<TriedPoint> points;  ///< of the runs that reached their end
+  std::string why;                 ///< one line
 
   bool keeps() const { return fate == Fate::Keeps || fate == Fate::Chosen; }
 };
