@@ -54,7 +54,7 @@ class Adviser {
     if (!advice_.reference.stands()) return refuse(pilots);
     advice_.costs = unitCosts(pilots);
     advice_.share = shareOf(*system);
-    advice_.whole = choose(pilots, 0.4 * left(), 0.35, 0.6);
+    advice_.whole = choose(pilots, pilots, 0.4 * left(), 0.35, 0.6);
     if (advice_.whole.chosen() == nullptr) return refuseMethods();
     advice_.parts =
         tryParts(pilots, advice_.reference, advice_.whole.chosen()->setting, options_.tolerance, 0.6 * left());
@@ -67,15 +67,15 @@ class Adviser {
     // A few of the states are enough to see where the energy is.
     const std::vector<State>& all = advice_.reference.run.states;
     std::vector<State> some;
-    for (std::size_t i = 0; i < all.size(); i += 4) some.push_back(all[i]);
+    for (std::size_t i = 0; i < all.size(); i += (all.size() + 3) / 4) some.push_back(all[i]);
     return energyShare(system, some, advice_.reference.run.touches());
   }
 
   /// \param from, to  of the progress
-  MethodChoice choose(const Pilots& pilots, double seconds, double from, double to) {
+  MethodChoice choose(const Pilots& pilots, const Pilots& whole, double seconds, double from, double to) {
     const auto estimates = estimateMethods(pilots, advice_.share, advice_.costs, options_.tolerance);
     const auto tell = [&](double part) { options_.progress(from + (to - from) * part); };
-    return chooseMethod(pilots, advice_.reference, estimates, options_.tolerance, seconds, tell);
+    return chooseMethod(pilots, whole, advice_.reference, estimates, options_.tolerance, seconds, tell);
   }
 
   /// Leaves out what was decided, and chooses anew where that makes another model.
@@ -89,7 +89,7 @@ class Adviser {
       const Scene rest = without(scene_, parts);
       const std::unique_ptr<ModelSystem> system = build(rest.model);
       const Pilots pilots(rest, *system, &scene_.model.obstacles);
-      MethodChoice choice = choose(pilots, left(), 0.7, 1.0);
+      MethodChoice choice = choose(pilots, whole, left(), 0.7, 1.0);
       if (choice.chosen() == nullptr || choice.chosen()->seconds > advice_.whole.chosen()->seconds) {
         keepAll("without it the run was not seen to be faster");
         return;
@@ -128,7 +128,7 @@ class Adviser {
   /// The way from the whole model to the advised one, a part at a time.
   void climb(const Pilots& whole, const std::vector<ModelPart>& parts) {
     const Candidate& before = *advice_.whole.chosen();
-    addStep("whole model", whole, before.setting, before.seconds);
+    addStep(whole, "whole model", whole, before.setting, before.seconds);
     std::vector<ModelPart> gone;
     for (const ModelPart& part : parts) {
       gone.push_back(part);
@@ -138,13 +138,14 @@ class Adviser {
       const Pilots pilots(rest, *system);
       const Setting& aim = advice_.methods.chosen()->setting;
       const Setting setting = refusalOf(*system, aim.method).empty() ? aim : before.setting;
-      addStep("without " + part.name, pilots, setting,
+      addStep(whole, "without " + part.name, pilots, setting,
               last ? advice_.methods.chosen()->seconds : pilots.bareSeconds(setting));
     }
   }
-  void addStep(const std::string& name, const Pilots& pilots, const Setting& setting, double seconds) {
+  void addStep(const Pilots& whole, const std::string& name, const Pilots& pilots, const Setting& setting,
+               double seconds) {
     const PilotRun run = pilots.run(setting, {});
-    if (run.done()) advice_.ladder.push_back({name, setting, advice_.reference.errorOf(run.rows), seconds});
+    if (run.done()) advice_.ladder.push_back({name, setting, advice_.reference.errorOf(whole, run.rows), seconds});
   }
 
   void refuseMethods() {

@@ -87,7 +87,8 @@ Figure figureOf(const engine::Scene& scene, const Advice& advice) {
   }
   for (const LadderStep& step : advice.ladder) ranges.add(step.error, step.seconds);
   for (const PartTrial& trial : advice.parts) {
-    if (trial.measured && std::isfinite(trial.error)) ranges.add(trial.error, trial.timeLeft * whole->seconds);
+    if (!trial.leftOut && trial.measured && std::isfinite(trial.error))
+      ranges.add(trial.error, trial.timeLeft * whole->seconds);
   }
   auto methods = figure.panel("processor time [s]");
   methods.heading("methods, the whole model");

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// Of the limit that linear theory has at the start.
-constexpr double ofStability = 0.9;
+constexpr double ofStability = 0.97;
 
 /// The error of a run in parts of the motion, by linear theory: a mode of frequency w is off in phase by
 /// w T (h w)^p / (p + 1)!, about, as long as it lasts, and at most by its whole amplitude twice. Symplectic Euler is

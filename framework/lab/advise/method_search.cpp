@@ -31,8 +31,9 @@ double readable(double value) {
 /// Searches one method's setting.
 class SettingSearch {
  public:
-  SettingSearch(const Pilots& pilots, const ReferenceMotion& reference, double allowed, Candidate& candidate)
-      : pilots_(pilots), reference_(reference), allowed_(allowed), candidate_(candidate) {}
+  SettingSearch(const Pilots& pilots, const Pilots& whole, const ReferenceMotion& reference, double allowed,
+                Candidate& candidate)
+      : pilots_(pilots), whole_(whole), reference_(reference), allowed_(allowed), candidate_(candidate) {}
 
   /// \param best  seconds of the cheapest so far   \param left  tells the seconds that are left
   void run(double best, const std::function<double()>& left) {
@@ -45,8 +46,7 @@ class SettingSearch {
       value = readable(value);
       if (left() <= 0.0) return stop(true, "the time was over");
       const double cap = std::min(left(), std::max(0.02, 3.0 * best));
-      const PilotRun run =
-          pilots_.run({estimate.setting.method, estimate.setting.fixed, value}, {.seconds = cap}, few_);
+      const PilotRun run = pilots_.run({estimate.setting.method, estimate.setting.fixed, value}, {.seconds = cap});
       ++candidate_.runs;
       if (run.outOfTime) return stop(left() <= 0.0, fmt::format("{} takes too long", run.setting.valueText()));
       const std::optional<double> next = judge(run, value);
@@ -76,17 +76,19 @@ class SettingSearch {
   std::optional<double> judge(const PilotRun& run, double asked) {
     Tried tried{asked, 0.0, run.seconds, !run.done()};
     if (run.done()) {
-      tried.error = statedFactor * (reference_.errorOf(run.rows) + reference_.doubt);
+      tried.error = statedFactor * (reference_.errorOf(whole_, run.rows) + reference_.doubt);
       if (!std::isfinite(tried.error)) tried.failed = true;
       if (!tried.failed) candidate_.points.push_back({tried.error / statedFactor, run.seconds});
     }
-    if (!fixed() && run.steps > 300) few_ = 48;
     if (!tried.failed) seeOrder(tried);
     last_ = tried;
     if (tried.failed) {
       coarsestBad_ = std::min(coarsestBad_, asked);
       reason_ = run.failure;
-      return kept_ ? std::nullopt : std::optional(asked * (fixed() ? 0.6 : 0.1));
+      return kept_ ? std::nullopt
+                   : std::optional(asked * (!fixed()                                        ? 0.1
+                                            : asked > 0.8 * candidate_.estimate.largestStep ? 0.9
+                                                                                            : 0.6));
     }
     if (tried.error <= allowed_) {
       keep(run, tried);
@@ -125,7 +127,7 @@ class SettingSearch {
   double power() const { return power_ > 0.0 ? power_ : fixed() ? candidate_.estimate.order : 0.9; }
 
   std::optional<double> finer(const Tried& tried) const {
-    const double factor = std::pow(0.8 * allowed_ / tried.error, 1.0 / power());
+    const double factor = std::pow(0.88 * allowed_ / tried.error, 1.0 / power());
     const double next = tried.value * std::clamp(factor, fixed() ? 0.02 : 1e-4, 0.9);
     if (!fixed() && next < 2e-14) return std::nullopt;
     return next;
@@ -133,7 +135,7 @@ class SettingSearch {
   /// Only where it pays: a fifth of the cost, and there is room.
   std::optional<double> coarser(const Tried& tried) const {
     const double limit = fixed() ? candidate_.estimate.largestStep : 1.0;
-    const double room = std::pow(0.85 * allowed_ / tried.error, 1.0 / power());
+    const double room = std::pow(0.93 * allowed_ / tried.error, 1.0 / power());
     double next = std::min({tried.value * std::min(room, fixed() ? 4.0 : 30.0), limit, 0.93 * coarsestBad_});
     const double saves =
         fixed() ? next / tried.value : std::pow(next / tried.value, 1.0 / (candidate_.estimate.order + 1.0));
@@ -153,13 +155,13 @@ class SettingSearch {
   }
 
   const Pilots& pilots_;
+  const Pilots& whole_;
   const ReferenceMotion& reference_;
   double allowed_;
   Candidate& candidate_;
   std::optional<Tried> last_, kept_;
   double coarsestBad_ = std::numeric_limits<double>::infinity();
   double power_ = 0.0;
-  std::size_t few_ = 12;
   std::string reason_;
   bool outOfTime_ = false;
 };
@@ -193,7 +195,10 @@ void timeSideBySide(const Pilots& pilots, std::vector<Candidate*> close, const s
     }
   }
   for (std::size_t i = 0; i < close.size(); ++i) {
-    if (!times[i].empty()) close[i]->seconds = bench::statisticsOf(times[i]).median;
+    if (times[i].empty()) continue;
+    const double median = bench::statisticsOf(times[i]).median, ratio = median / close[i]->seconds;
+    close[i]->seconds = median;
+    for (TriedPoint& point : close[i]->points) point.seconds *= ratio;
   }
 }
 
@@ -203,7 +208,7 @@ const Candidate* MethodChoice::chosen() const {
   return !candidates.empty() && candidates.front().fate == Candidate::Fate::Chosen ? &candidates.front() : nullptr;
 }
 
-MethodChoice chooseMethod(const Pilots& pilots, const ReferenceMotion& reference,
+MethodChoice chooseMethod(const Pilots& pilots, const Pilots& whole, const ReferenceMotion& reference,
                           const std::vector<MethodEstimate>& estimates, double tolerance, double seconds,
                           const std::function<void(double)>& progress) {
   const Clock::time_point begun = Clock::now();
@@ -228,7 +233,7 @@ MethodChoice chooseMethod(const Pilots& pilots, const ReferenceMotion& reference
       candidate.why = "the time was over";
       choice.outOfTime = true;
     } else {
-      SettingSearch search(pilots, reference, tolerance, candidate);
+      SettingSearch search(pilots, whole, reference, tolerance, candidate);
       search.run(best, left);
       choice.outOfTime = choice.outOfTime || search.outOfTime();
       if (candidate.keeps()) best = std::min(best, candidate.seconds);

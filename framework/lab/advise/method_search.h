@@ -11,12 +11,12 @@ namespace muelle::lab {
 
 /// By so much an error that was found is multiplied before it is printed as "at most about": runs are compared at some
 /// times, and between them they may be farther apart.
-inline constexpr double statedFactor = 1.5;
+inline constexpr double statedFactor = 1.25;
 
 /// A run of a method at some setting.
 struct TriedPoint {
   double error = 0.0;    ///< in parts of the motion, as it was found
-  double seconds = 0.0;  ///< of the processor, looks included
+  double seconds = 0.0;  ///< of the processor; of those that were timed side by side without looks
 };
 
 /// A method as it came out.
@@ -53,9 +53,9 @@ struct MethodChoice {
 /// Finds for each method, the most promising first, the setting at which it keeps the tolerance at the least cost, as
 /// long as it may become the cheapest; then times those that are close side by side.
 ///
-/// \param reference  of the whole model: what was left out of the one that is run counts as error
+/// \param whole, reference  of the whole model: what was left out of the one that is run counts as error
 /// \param seconds  of the clock on the wall
-MethodChoice chooseMethod(const Pilots& pilots, const ReferenceMotion& reference,
+MethodChoice chooseMethod(const Pilots& pilots, const Pilots& whole, const ReferenceMotion& reference,
                           const std::vector<MethodEstimate>& estimates, double tolerance, double seconds,
                           const std::function<void(double)>& progress);
 

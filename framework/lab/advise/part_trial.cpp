@@ -20,6 +20,9 @@ namespace {
 /// What parts may change, in parts of the tolerance.
 constexpr double ofTolerance = 1.0 / 3.0;
 
+/// At so many states of the run stiffness is looked at.
+constexpr std::size_t mostStates = 60;
+
 /// A disturbance that grows more is not left to chance.
 constexpr double mostGrowth = 100.0;
 
@@ -43,7 +46,9 @@ struct Buckling {
 Buckling bucklingAlong(const ModelSystem& system, const std::vector<State>& states, int axis) {
   Buckling found;
   std::mt19937 dice(5);
-  for (const State& state : states) {
+  const std::size_t stride = 1 + states.size() / mostStates;
+  for (std::size_t i = 0; i < states.size(); i += stride) {
+    const State& state = states[i];
     const LinearisedSystem linearised(system, state);
     std::vector<double> y(static_cast<std::size_t>(linearised.size()), 0.0);
     for (int node = 0; node < system.nodeCount(); ++node) {
@@ -107,7 +112,7 @@ class Trials {
       trial.why = "without it: " + run.failure;
       return trial;
     }
-    trial.error = statedFactor * (reference_.errorOf(run.rows) + reference_.doubt);
+    trial.error = statedFactor * (reference_.errorOf(whole_, run.rows) + reference_.doubt);
     time(pilots, trial);
     decide(trial);
     return trial;
@@ -241,7 +246,7 @@ std::vector<ModelPart> leaveOutTogether(const Pilots& whole, const ReferenceMoti
     const std::unique_ptr<ModelSystem> system = build(rest.model);
     const PilotRun run =
         Pilots(rest, *system).run(reference.run.setting, {.seconds = clock.left(), .isReference = true});
-    const double error = run.done() ? statedFactor * (reference.errorOf(run.rows) + reference.doubt) : INFINITY;
+    const double error = run.done() ? statedFactor * (reference.errorOf(whole, run.rows) + reference.doubt) : INFINITY;
     if (error <= ofTolerance * tolerance) return parts;
     largest->leftOut = false;
     largest->why = run.outOfTime ? "the time was over" : "with the other parts it changes too much";

@@ -34,6 +34,7 @@ Vec3 placeOf(const ModelSystem& system, const State& state, int node) {
 
 void PathRows::add(std::size_t time, const ModelSystem& system, const State& state) {
   at.push_back(time);
+  t.push_back(state.t);
   std::vector<double>& positions = x.emplace_back();
   std::vector<double>& velocities = v.emplace_back();
   for (int node = 0; node < system.nodeCount(); ++node) {
@@ -41,6 +42,10 @@ void PathRows::add(std::size_t time, const ModelSystem& system, const State& sta
     positions.insert(positions.end(), place.begin(), place.end());
     velocities.insert(velocities.end(), velocity.begin(), velocity.end());
   }
+}
+
+MotionSize distanceOf(const PathRows& a, std::size_t i, const PathRows& b, std::size_t j) {
+  return {largestNodeGap(a.x[i], b.x[j]), largestNodeGap(a.v[i], b.v[j])};
 }
 
 MotionSize distanceOf(const PathRows& a, const PathRows& b) {
@@ -51,11 +56,15 @@ MotionSize distanceOf(const PathRows& a, const PathRows& b) {
     if (j == b.at.size()) break;
     if (b.at[j] != a.at[i]) continue;
     ++common;
-    apart.position = std::max(apart.position, largestNodeGap(a.x[i], b.x[j]));
-    apart.velocity = std::max(apart.velocity, largestNodeGap(a.v[i], b.v[j]));
+    apart.include(distanceOf(a, i, b, j));
   }
   if (common == 0) throw std::logic_error("two runs have no time in common");
   return apart;
+}
+
+void MotionSize::include(const MotionSize& other) {
+  if (!(other.position <= position)) position = other.position;  // a NaN stays
+  if (!(other.velocity <= velocity)) velocity = other.velocity;
 }
 
 double errorIn(const MotionSize& distance, const MotionSize& motion) {

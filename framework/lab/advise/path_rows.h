@@ -6,10 +6,11 @@
 
 namespace muelle::lab {
 
-/// Positions and velocities of all nodes at some of the times at which runs are compared, in the user's numbering and
-/// with three components a node, so that runs of differently built models can be compared.
+/// Positions and velocities of all nodes at some of the times at which runs are compared or soon after, in the user's
+/// numbering and with three components a node, so that runs of differently built models can be compared.
 struct PathRows {
   std::vector<std::size_t> at;  ///< which of the times, ascending
+  std::vector<double> t;        ///< [s], of the state itself: at that time, or at the first end of a step behind it
   std::vector<std::vector<double>> x, v;
 
   void add(std::size_t time, const engine::ModelSystem& system, const State& state);
@@ -22,9 +23,14 @@ Vec3 placeOf(const engine::ModelSystem& system, const State& state, int node);
 struct MotionSize {
   double position = 0.0;  ///< [m]
   double velocity = 0.0;  ///< [m/s]
+
+  /// Takes the larger of each; a number that is none stays.
+  void include(const MotionSize& other);
 };
 
-/// The largest distance of a node between two motions, at the times that both have.
+/// The largest distance of a node between row i of a motion and row j of another.
+MotionSize distanceOf(const PathRows& a, std::size_t i, const PathRows& b, std::size_t j);
+/// The same over all times that both have.
 MotionSize distanceOf(const PathRows& a, const PathRows& b);
 
 /// A distance in parts of a motion: the larger of both parts, which is the error that `muelle run` prints.

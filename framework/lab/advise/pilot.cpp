@@ -21,7 +21,6 @@ namespace {
 
 constexpr long long sampleCount = 240;  // has many divisors
 constexpr double mostNumbers = 2e6;     // of all rows of a run: 16 MB
-constexpr std::size_t stateCount = 13;  // of a reference
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// Asks the clock rarely where steps are short.
@@ -119,7 +118,7 @@ long long Looks::stepsOf(double h) const {
   constexpr long long few[] = {1, 2, 3, 4, 5, 6, 8, 10, 12, 15, 16, 20, 24};
   if (steps <= few[std::size(few) - 1]) return *std::ranges::lower_bound(few, steps);
   long long multiple = 2;
-  for (const long long m : {3, 6, 12, 24, 48}) {
+  for (const long long m : {3, 6, 12, 24, 48, 120, 240}) {
     if (10 * m <= steps) multiple = m;
   }
   return (steps + multiple - 1) / multiple * multiple;
@@ -153,73 +152,87 @@ StepOptions Pilots::optionsOf(const Setting& setting) const {
   return options;
 }
 
-PilotRun Pilots::run(const Setting& setting, const PilotLimits& limits, std::size_t few) const {
+PilotRun Pilots::run(const Setting& setting, const PilotLimits& limits) const {
   PilotRun run;
   run.setting = setting;
   StepOptions options = optionsOf(setting);
   if (setting.fixed) run.setting.value = options.h;
   std::vector<std::size_t> looks = looks_.some(looks_.count());
-  if (!looks_.isDense() && !limits.isReference) {
-    looks = setting.fixed ? looks_.ofSteps(std::llround(scene_.duration / options.h)) : looks_.some(few);
+  if (setting.fixed && !limits.isReference && !looks_.isDense()) {
+    looks = looks_.ofSteps(std::llround(scene_.duration / options.h));
   }
-  const bool hits = !looks_.isDense() || limits.isReference;
-  if (hits) {
+  // Only a reference and fixed steps, which end there anyhow, are made to meet these times.
+  if (limits.isReference || (setting.fixed && !looks_.isDense())) {
     for (const std::size_t look : looks) options.outputTimes.push_back(looks_.time(look));
   }
-  Deadline deadline(limits.seconds);
   const double begun = bench::processorTime();
   try {
-    const std::unique_ptr<Integrator> method = makeMethod(setting.method);
-    const State start = limits.start != nullptr ? *limits.start : system_.initialState();
-    Simulation simulation(system_, *method, start, options);
-    MotionFrame frame(system_, start);
-    GapWatch gaps(system_, watched_, run);
-    const bool watches = limits.isReference || limits.watchesGaps;
-    if (watches) gaps.see(simulation.state(), 0.0);
-    run.startGap = run.leastGap;
-    if (limits.isReference) run.states.push_back(simulation.state());
-    std::size_t next = 0;
-    while (true) {
-      const Advance advance = simulation.advance();
-      if (!advance.goesOn()) break;
-      const double t = simulation.time();
-      if (limits.isReference) {
-        const ErrorScale size = frame.sizeAt(system_, simulation.state());
-        run.motion.position = std::max(run.motion.position, size.position);
-        run.motion.velocity = std::max(run.motion.velocity, size.velocity);
-        const double nextState = scene_.duration / (stateCount - 1.0) * static_cast<double>(run.states.size());
-        if (run.states.size() < stateCount && t >= nextState * (1.0 - 1e-9)) run.states.push_back(simulation.state());
-      }
-      if (watches) gaps.see(simulation.state(), advance.length);
-      const double slack = 1e-12 * scene_.duration;
-      while (next < looks.size() && looks_.time(looks[next]) <= t + slack) {
-        if (hits) {
-          run.rows.add(looks[next], system_, simulation.state());
-        } else if (advance.kind == Advance::Kind::Step) {
-          run.rows.add(looks[next], system_, simulation.at(std::min(t, looks_.time(looks[next]))));
-        } else {
-          break;
-        }
-        ++next;
-      }
-      if (deadline.passed()) {
-        run.outOfTime = true;
-        break;
-      }
-    }
-    run.reached = simulation.time();
-    run.steps = simulation.work().steps + simulation.work().rejectedSteps;
-    run.evaluations = simulation.work().forceEvaluations;
-    if (!simulation.finished()) {
-      run.failure = run.outOfTime ? "given up for its time" : simulation.stop().message;
-    } else if (next < looks.size()) {
-      run.failure = "the run ended before its last output";
-    }
+    follow(options, looks, limits, run);
   } catch (const std::invalid_argument& problem) {
     run.failure = problem.what();
   }
   run.seconds = bench::processorTime() - begun;
   return run;
+}
+
+void Pilots::follow(const StepOptions& options, const std::vector<std::size_t>& looks, const PilotLimits& limits,
+                    PilotRun& run) const {
+  const std::unique_ptr<Integrator> method = makeMethod(run.setting.method);
+  const State start = limits.start != nullptr ? *limits.start : system_.initialState();
+  Simulation simulation(system_, *method, start, options);
+  MotionFrame frame(system_, start);
+  GapWatch gaps(system_, watched_, run);
+  const bool watches = limits.isReference || limits.watchesGaps;
+  if (watches) gaps.see(simulation.state(), 0.0);
+  run.startGap = run.leastGap;
+  if (limits.isReference) run.states.push_back(simulation.state());
+  const bool isDense = looks_.isDense() && !limits.isReference;
+  const double slack = 1e-12 * scene_.duration;
+  std::size_t next = 0;
+  Deadline deadline(limits.seconds);
+  for (Advance advance = simulation.advance(); advance.goesOn(); advance = simulation.advance()) {
+    const double t = simulation.time();
+    if (limits.isReference) {
+      const ErrorScale size = frame.sizeAt(system_, simulation.state());
+      run.motion.include({size.position, size.velocity});
+    }
+    if (watches) gaps.see(simulation.state(), advance.length);
+    if (isDense) {
+      for (; advance.kind == Advance::Kind::Step && next < looks.size() && looks_.time(looks[next]) <= t + slack;
+           ++next) {
+        run.rows.add(looks[next], system_, simulation.at(std::min(t, looks_.time(looks[next]))));
+      }
+    } else if (next < looks.size() && looks_.time(looks[next]) <= t + slack) {
+      // A step that passes over several of the times is looked at once.
+      while (next + 1 < looks.size() && looks_.time(looks[next + 1]) <= t + slack) ++next;
+      run.rows.add(looks[next], system_, simulation.state());
+      if (limits.isReference) run.states.push_back(simulation.state());
+      ++next;
+    }
+    if (deadline.passed()) {
+      run.outOfTime = true;
+      break;
+    }
+  }
+  run.reached = simulation.time();
+  run.steps = simulation.work().steps + simulation.work().rejectedSteps;
+  run.evaluations = simulation.work().forceEvaluations;
+  if (!simulation.finished()) {
+    run.failure = run.outOfTime ? "given up for its time" : simulation.stop().message;
+  } else if (next < looks.size()) {
+    run.failure = "the run ended before its last output";
+  }
+}
+
+State Pilots::advance(const Setting& setting, const State& from, double t) const {
+  StepOptions options = optionsOf(setting);
+  options.duration = t - from.t;
+  options.h = setting.fixed ? std::min(options.h, options.duration) : options.duration;
+  const std::unique_ptr<Integrator> method = makeMethod(setting.method);
+  Simulation simulation(system_, *method, from, options);
+  while (simulation.advance().goesOn()) {
+  }
+  return simulation.state();
 }
 
 double Pilots::bareSeconds(const Setting& setting) const {

@@ -13,7 +13,8 @@ namespace muelle::lab {
 /// The equal times at which runs of a scene are compared, the end the last of them.
 ///
 /// A scene with an output interval is looked at through dense output, as `muelle run` records it, at some of its
-/// outputs; another one at ends of steps, which then fall on these times.
+/// outputs; another one at ends of steps: fixed steps fall on these times, of others the first end behind each time
+/// counts.
 class Looks {
  public:
   explicit Looks(const engine::Scene& scene);
@@ -76,8 +77,9 @@ class Pilots {
   const Looks& looks() const { return looks_; }
 
   /// Runs the scene to its end. A step is made a little shorter, so that steps end where runs are compared.
-  /// \param few  an adaptive method without dense output ends its steps at so many times at most
-  PilotRun run(const Setting& setting, const PilotLimits& limits, std::size_t few = 12) const;
+  PilotRun run(const Setting& setting, const PilotLimits& limits) const;
+  /// The state at t [s], not before `from`, by steps from there as this setting takes them.
+  State advance(const Setting& setting, const State& from, double t) const;
   /// Seconds of the processor of a run as the scene asks for it: nothing is compared, its outputs are made.
   double bareSeconds(const Setting& setting) const;
   /// Seconds of a step of h [s] from the start, by a few of them.
@@ -85,6 +87,8 @@ class Pilots {
 
  private:
   engine::StepOptions optionsOf(const Setting& setting) const;
+  void follow(const engine::StepOptions& options, const std::vector<std::size_t>& looks, const PilotLimits& limits,
+              PilotRun& run) const;
 
   const engine::Scene& scene_;
   const engine::ModelSystem& system_;

@@ -139,6 +139,23 @@ class ReferenceSearch {
 
 }  // namespace
 
+double ReferenceMotion::errorOf(const Pilots& whole, const PathRows& rows) const {
+  MotionSize apart;
+  const double slack = 1e-12 * whole.scene().duration;
+  for (std::size_t i = 0; i < rows.at.size(); ++i) {
+    // A reference has a row for each of the times, and the state there behind that of the start.
+    const std::size_t row = rows.at[i];
+    if (std::abs(rows.t[i] - run.rows.t[row]) <= slack) {
+      apart.include(distanceOf(rows, i, run.rows, row));
+    } else {
+      PathRows exact;
+      exact.add(row, whole.system(), whole.advance(run.setting, run.states[row + 1], rows.t[i]));
+      apart.include(distanceOf(rows, i, exact, 0));
+    }
+  }
+  return errorIn(apart, run.motion);
+}
+
 ReferenceMotion findReference(const Pilots& pilots, double tolerance, double seconds) {
   return ReferenceSearch(pilots, tolerance, seconds).find();
 }

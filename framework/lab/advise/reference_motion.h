@@ -18,7 +18,8 @@ struct ReferenceMotion {
   double seconds = 0.0;    ///< of the processor, of all runs that it took
 
   bool stands() const { return failure.empty(); }
-  double errorOf(const PathRows& rows) const { return errorIn(distanceOf(rows, run.rows), run.motion); }
+  /// The error of a run of any model of the scene. \param whole  of the model that this is a reference of
+  double errorOf(const Pilots& whole, const PathRows& rows) const;
 };
 
 /// \param tolerance  the error that is asked for: the runs have to agree to a fiftieth of it, or as well as rounding
