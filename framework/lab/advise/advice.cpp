@@ -47,9 +47,15 @@ class Adviser {
   double left() const { return options_.budget - passed(); }
 
   void consider() {
+    const bool rubs =
+        std::ranges::any_of(scene_.model.obstacles, [](const Obstacle& o) { return o.material.mu > 0.0; });
+    if (rubs && !scene_.locateEvents) {
+      advice_.refusal = "friction sticks and slips between steps, and no step tells by how much: set events = true";
+      return;
+    }
     const std::unique_ptr<ModelSystem> system = build(scene_.model);
     const Pilots pilots(scene_, *system);
-    advice_.reference = findReference(pilots, options_.tolerance, 0.5 * left());
+    advice_.reference = findReference(pilots, options_.tolerance, 0.55 * left());
     options_.progress(0.3);
     if (!advice_.reference.stands()) return refuse(pilots);
     advice_.costs = unitCosts(pilots);

@@ -134,7 +134,7 @@ std::string adviceText(const engine::Scene& scene, const Advice& advice) {
   } else {
     text += line("advice", fmt::format("no statement at {:.2g}: {}", advice.tolerance, advice.refusal));
   }
-  if (advice.reference.stands()) {
+  if (!advice.reference.how.empty()) {
     text +=
         line("held", fmt::format("against {}, which differ by {:.1g}", advice.reference.how, advice.reference.doubt));
     text += line("energy", fmt::format("{:.2g} % of it above a quarter of the highest frequency, {:.3g} Hz",

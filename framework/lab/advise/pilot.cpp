@@ -158,11 +158,10 @@ PilotRun Pilots::run(const Setting& setting, const PilotLimits& limits) const {
   StepOptions options = optionsOf(setting);
   if (setting.fixed) run.setting.value = options.h;
   std::vector<std::size_t> looks = looks_.some(looks_.count());
-  if (setting.fixed && !limits.isReference && !looks_.isDense()) {
-    looks = looks_.ofSteps(std::llround(scene_.duration / options.h));
-  }
+  const bool meets = setting.fixed && !limits.isReference && !limits.looksOften && !looks_.isDense();
+  if (meets) looks = looks_.ofSteps(std::llround(scene_.duration / options.h));
   // Only a reference and fixed steps, which end there anyhow, are made to meet these times.
-  if (limits.isReference || (setting.fixed && !looks_.isDense())) {
+  if (limits.isReference || meets) {
     for (const std::size_t look : looks) options.outputTimes.push_back(looks_.time(look));
   }
   const double begun = bench::processorTime();

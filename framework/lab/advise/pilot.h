@@ -40,6 +40,7 @@ struct PilotLimits {
   double seconds = std::numeric_limits<double>::infinity();  ///< of the clock on the wall
   bool isReference = false;      ///< looked at at all times, at ends of steps; motion, states and gaps are kept
   bool watchesGaps = false;      ///< gaps are kept
+  bool looksOften = false;       ///< a run of fixed steps, too, is looked at behind each of the times
   const State* start = nullptr;  ///< in place of the scene's
 };
 

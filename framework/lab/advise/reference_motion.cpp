@@ -54,11 +54,13 @@ class ReferenceSearch {
     found_.failure = "no method makes a reference";
     const std::vector<Sources> all = sourcesFor(pilots_, tolerance_);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      // What is left is shared with those that come after.
-      share_ = i + 1 < all.size() ? 0.6 : 1.0;
+      const bool isLast = i + 1 == all.size();
+      // So much for a first run: a method that has not come to the end by then is not the one for this scene.
+      firstShare_ = isLast ? 1.0 : 0.4;
       attempt(all[i]);
-      // Where fine runs differ so do runs of any other method.
-      if (found_.stands() || found_.disagrees) break;
+      // Where fine runs differ so do runs of any other method, and where the first came to its end the others are no
+      // better.
+      if (found_.stands() || found_.disagrees || !firstFailed_) break;
     }
     found_.seconds = spent_;
     return std::move(found_);
@@ -67,15 +69,17 @@ class ReferenceSearch {
  private:
   double left() const { return seconds_ - std::chrono::duration<double>(Clock::now() - begin_).count(); }
 
-  PilotRun take(const Setting& setting) {
-    PilotRun run = pilots_.run(setting, {.seconds = std::max(0.0, share_ * left()), .isReference = true});
+  PilotRun take(const Setting& setting, double share = 1.0) {
+    PilotRun run = pilots_.run(setting, {.seconds = std::max(0.0, share * left()), .isReference = true});
     spent_ += run.seconds;
     return run;
   }
 
   void attempt(Sources sources) {
     constexpr int mostRounds = 6;
-    PilotRun before = take(sources.coarse);
+    double lastApart = 0.0;
+    PilotRun before = take(sources.coarse, firstShare_);
+    firstFailed_ = !before.done();
     for (int round = 0; round < mostRounds; ++round) {
       if (!before.done()) return fail(before);
       if (before.motion.position == 0.0 || before.motion.velocity == 0.0) {
@@ -91,9 +95,13 @@ class ReferenceSearch {
       if (apart <= tolerance_ / 50.0 || ((finest || round + 1 == mostRounds) && apart <= tolerance_ / 8.0)) {
         return settle(before, std::move(finer), apart);
       }
-      if (finest) {
-        found_.failure = fmt::format("{} and {} at their finest differ by {:.1g} of the motion", before.setting.method,
-                                     finer.setting.method, apart);
+      // Chaos: differences that hardly shrink with the tolerance.
+      const bool stays = round > 0 && apart > 0.3 * lastApart && apart > 10.0 * tolerance_;
+      lastApart = apart;
+      if (finest || stays) {
+        found_.failure =
+            fmt::format("{} at {} and {} at {} differ by {:.1g} of the motion", before.setting.method,
+                        before.setting.valueText(), finer.setting.method, finer.setting.valueText(), apart);
         found_.disagrees = true;
         keep(std::move(finer), apart);
         return;
@@ -133,7 +141,8 @@ class ReferenceSearch {
   const Pilots& pilots_;
   double tolerance_, seconds_;
   Clock::time_point begin_;
-  double share_ = 1.0, spent_ = 0.0;
+  double firstShare_ = 1.0, spent_ = 0.0;
+  bool firstFailed_ = false;
   ReferenceMotion found_;
 };
 
