@@ -211,6 +211,7 @@ bool isVerified(const Pilots& pilots, const Pilots& whole, const ReferenceMotion
     const PilotRun run = pilots.run(candidate.setting, {.looksOften = true});
     ++candidate.runs;
     if (!run.done()) break;
+    candidate.setting = run.setting;
     const double error = statedFactor * (reference.errorOf(whole, run.rows) + reference.doubt);
     candidate.seconds *= i == 0 ? 1.0 : run.seconds / candidate.points.back().seconds;
     candidate.points.push_back({error / statedFactor, run.seconds});

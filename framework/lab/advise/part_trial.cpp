@@ -144,7 +144,7 @@ class Trials {
 
   bool touched(PartTrial& trial) const {
     const std::size_t i = trial.part.obstacle;
-    const double touch = reference_.run.firstTouch[i], gap = reference_.run.leastGap[i];
+    const double touch = reference_.run.firstTouch[i], gap = reference_.run.sureGap[i];
     if (std::isfinite(touch)) {
       trial.why = fmt::format("it is touched at {:.3g} s", touch);
       return true;
@@ -159,7 +159,7 @@ class Trials {
     trial.why =
         stands && reach < first
             ? fmt::format("by its energy no node comes farther than {:.2g} m, and the gap is {:.2g} m", reach, first)
-            : fmt::format("no node comes nearer than {:.2g} m; the run keeps watch", gap);
+            : fmt::format("no node comes nearer than {:.2g} m, and none touches it in the run that is advised", gap);
     return false;
   }
 

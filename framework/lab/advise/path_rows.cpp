@@ -32,8 +32,7 @@ Vec3 placeOf(const ModelSystem& system, const State& state, int node) {
   return place;
 }
 
-void PathRows::add(std::size_t time, const ModelSystem& system, const State& state) {
-  at.push_back(time);
+void PathRows::add(const ModelSystem& system, const State& state) {
   t.push_back(state.t);
   std::vector<double>& positions = x.emplace_back();
   std::vector<double>& velocities = v.emplace_back();
@@ -44,17 +43,30 @@ void PathRows::add(std::size_t time, const ModelSystem& system, const State& sta
   }
 }
 
+void PathRows::thin() {
+  std::size_t kept = 0;
+  for (std::size_t i = (t.size() - 1) % 2; i < t.size(); i += 2, ++kept) {
+    t[kept] = t[i];
+    x[kept] = std::move(x[i]);
+    v[kept] = std::move(v[i]);
+  }
+  t.resize(kept);
+  x.resize(kept);
+  v.resize(kept);
+}
+
 MotionSize distanceOf(const PathRows& a, std::size_t i, const PathRows& b, std::size_t j) {
   return {largestNodeGap(a.x[i], b.x[j]), largestNodeGap(a.v[i], b.v[j])};
 }
 
 MotionSize distanceOf(const PathRows& a, const PathRows& b) {
   MotionSize apart;
-  std::size_t j = 0, common = 0;
-  for (std::size_t i = 0; i < a.at.size(); ++i) {
-    while (j < b.at.size() && b.at[j] < a.at[i]) ++j;
-    if (j == b.at.size()) break;
-    if (b.at[j] != a.at[i]) continue;
+  std::size_t common = 0;
+  for (std::size_t i = 0, j = 0; i < a.size(); ++i) {
+    const double slack = 1e-11 * std::abs(a.t.back());
+    while (j < b.size() && b.t[j] < a.t[i] - slack) ++j;
+    if (j == b.size()) break;
+    if (b.t[j] > a.t[i] + slack) continue;
     ++common;
     apart.include(distanceOf(a, i, b, j));
   }

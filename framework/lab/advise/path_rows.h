@@ -6,14 +6,16 @@
 
 namespace muelle::lab {
 
-/// Positions and velocities of all nodes at some of the times at which runs are compared or soon after, in the user's
-/// numbering and with three components a node, so that runs of differently built models can be compared.
+/// Positions and velocities of all nodes at some times, in the user's numbering and with three components a node, so
+/// that runs of differently built models can be compared.
 struct PathRows {
-  std::vector<std::size_t> at;  ///< which of the times, ascending
-  std::vector<double> t;        ///< [s], of the state itself: at that time, or at the first end of a step behind it
+  std::vector<double> t;  ///< [s], ascending
   std::vector<std::vector<double>> x, v;
 
-  void add(std::size_t time, const engine::ModelSystem& system, const State& state);
+  std::size_t size() const { return t.size(); }
+  void add(const engine::ModelSystem& system, const State& state);
+  /// Leaves every second row out; the last stays.
+  void thin();
 };
 
 /// Where a node is [m]; in directions that the model has not, where the scene puts it.
@@ -30,7 +32,7 @@ struct MotionSize {
 
 /// The largest distance of a node between row i of a motion and row j of another.
 MotionSize distanceOf(const PathRows& a, std::size_t i, const PathRows& b, std::size_t j);
-/// The same over all times that both have.
+/// The same over all times that both have, to rounding.
 MotionSize distanceOf(const PathRows& a, const PathRows& b);
 
 /// A distance in parts of a motion: the larger of both parts, which is the error that `muelle run` prints.

@@ -21,6 +21,7 @@ namespace {
 
 constexpr long long sampleCount = 240;  // has many divisors
 constexpr double mostNumbers = 2e6;     // of all rows of a run: 16 MB
+constexpr double mostOftenLooks = 1000.0;
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// Asks the clock rarely where steps are short.
@@ -51,13 +52,13 @@ double gapOf(const Obstacle& obstacle, const Vec3& x, double t) {
   return (r.cwiseAbs() - obstacle.halfSize).maxCoeff();
 }
 
-/// How near free nodes come to each obstacle. A step is looked at at its end: less the way of a node in it, the gap
-/// held all along.
+/// How near free nodes come to each obstacle.
 class GapWatch {
  public:
   GapWatch(const ModelSystem& system, const std::vector<Obstacle>& obstacles, PilotRun& run)
       : system_(system), obstacles_(obstacles), run_(run) {
     run.leastGap.assign(obstacles.size(), never);
+    run.sureGap = run.leastGap;
     run.firstTouch.assign(run.leastGap.size(), never);
   }
 
@@ -72,7 +73,8 @@ class GapWatch {
         const Vec3 w = state.t < obstacle.stopTime ? obstacle.velocity : Vec3::Zero();
         const double gap = gapOf(obstacle, x, state.t);
         if (gap <= 0.0 && state.t < run_.firstTouch[i]) run_.firstTouch[i] = state.t;
-        run_.leastGap[i] = std::min(run_.leastGap[i], gap - step * (v - w).norm());
+        run_.leastGap[i] = std::min(run_.leastGap[i], gap);
+        run_.sureGap[i] = std::min(run_.sureGap[i], gap - step * (v - w).norm());
       }
     }
   }
@@ -98,7 +100,7 @@ Looks::Looks(const Scene& scene) : duration_(scene.duration), dense_(scene.outpu
     for (long long i = stride; i <= outputs; i += stride)
       times_.push_back(scene.outputInterval * static_cast<double>(i));
     if (times_.empty() || times_.back() < duration_ * (1.0 - 1e-9)) times_.push_back(duration_);
-    times_.back() = std::min(times_.back(), duration_);
+    times_.back() = duration_;
     return;
   }
   long long samples = sampleCount;
@@ -106,6 +108,7 @@ Looks::Looks(const Scene& scene) : duration_(scene.duration), dense_(scene.outpu
   for (long long i = 1; i <= samples; ++i) {
     times_.push_back(duration_ * static_cast<double>(i) / static_cast<double>(samples));
   }
+  times_.back() = duration_;
 }
 
 long long Looks::stepsOf(double h) const {
@@ -157,13 +160,15 @@ PilotRun Pilots::run(const Setting& setting, const PilotLimits& limits) const {
   run.setting = setting;
   StepOptions options = optionsOf(setting);
   if (setting.fixed) run.setting.value = options.h;
-  std::vector<std::size_t> looks = looks_.some(looks_.count());
-  const bool meets = setting.fixed && !limits.isReference && !limits.looksOften && !looks_.isDense();
-  if (meets) looks = looks_.ofSteps(std::llround(scene_.duration / options.h));
-  // Only a reference and fixed steps, which end there anyhow, are made to meet these times.
-  if (limits.isReference || meets) {
-    for (const std::size_t look : looks) options.outputTimes.push_back(looks_.time(look));
+  std::vector<double> looks;
+  const bool meets = setting.fixed && !limits.isReference && !looks_.isDense();
+  for (const std::size_t i :
+       meets ? looks_.ofSteps(std::llround(scene_.duration / options.h)) : looks_.some(looks_.count())) {
+    looks.push_back(looks_.time(i));
   }
+  // Only a reference and fixed steps, which end there anyhow, are made to meet these times.
+  if (limits.isReference || meets) options.outputTimes = looks;
+  if (limits.looksOften) looks = looks_.isDense() ? outputTimes() : std::vector<double>{};
   const double begun = bench::processorTime();
   try {
     follow(options, looks, limits, run);
@@ -174,7 +179,17 @@ PilotRun Pilots::run(const Setting& setting, const PilotLimits& limits) const {
   return run;
 }
 
-void Pilots::follow(const StepOptions& options, const std::vector<std::size_t>& looks, const PilotLimits& limits,
+std::vector<double> Pilots::outputTimes() const {
+  const double outputs = std::floor(scene_.duration / scene_.outputInterval * (1.0 + 1e-12));
+  const double stride = std::ceil(std::max(1.0, outputs / mostOftenLooks));
+  std::vector<double> times;
+  for (double i = stride; i * scene_.outputInterval < scene_.duration; i += stride)
+    times.push_back(i * scene_.outputInterval);
+  times.push_back(scene_.duration);
+  return times;
+}
+
+void Pilots::follow(const StepOptions& options, const std::vector<double>& looks, const PilotLimits& limits,
                     PilotRun& run) const {
   const std::unique_ptr<Integrator> method = makeMethod(run.setting.method);
   const State start = limits.start != nullptr ? *limits.start : system_.initialState();
@@ -188,6 +203,7 @@ void Pilots::follow(const StepOptions& options, const std::vector<std::size_t>& 
   const bool isDense = looks_.isDense() && !limits.isReference;
   const double slack = 1e-12 * scene_.duration;
   std::size_t next = 0;
+  long long steps = 0, stride = 1;
   Deadline deadline(limits.seconds);
   for (Advance advance = simulation.advance(); advance.goesOn(); advance = simulation.advance()) {
     const double t = simulation.time();
@@ -197,16 +213,20 @@ void Pilots::follow(const StepOptions& options, const std::vector<std::size_t>& 
     }
     if (watches) gaps.see(simulation.state(), advance.length);
     if (isDense) {
-      for (; advance.kind == Advance::Kind::Step && next < looks.size() && looks_.time(looks[next]) <= t + slack;
-           ++next) {
-        run.rows.add(looks[next], system_, simulation.at(std::min(t, looks_.time(looks[next]))));
+      for (; advance.kind == Advance::Kind::Step && next < looks.size() && looks[next] <= t + slack; ++next) {
+        run.rows.add(system_, simulation.at(std::min(t, looks[next])));
       }
-    } else if (next < looks.size() && looks_.time(looks[next]) <= t + slack) {
+    } else if (limits.looksOften) {
+      if (advance.kind == Advance::Kind::Step && ++steps % stride == 0) run.rows.add(system_, simulation.state());
+      if (static_cast<double>(run.rows.size()) > mostOftenLooks) {
+        run.rows.thin();
+        stride *= 2;
+      }
+    } else if (next < looks.size() && looks[next] <= t + slack) {
       // A step that passes over several of the times is looked at once.
-      while (next + 1 < looks.size() && looks_.time(looks[next + 1]) <= t + slack) ++next;
-      run.rows.add(looks[next], system_, simulation.state());
+      while (next < looks.size() && looks[next] <= t + slack) ++next;
+      run.rows.add(system_, simulation.state());
       if (limits.isReference) run.states.push_back(simulation.state());
-      ++next;
     }
     if (deadline.passed()) {
       run.outOfTime = true;

@@ -40,7 +40,7 @@ struct PilotLimits {
   double seconds = std::numeric_limits<double>::infinity();  ///< of the clock on the wall
   bool isReference = false;      ///< looked at at all times, at ends of steps; motion, states and gaps are kept
   bool watchesGaps = false;      ///< gaps are kept
-  bool looksOften = false;       ///< a run of fixed steps, too, is looked at behind each of the times
+  bool looksOften = false;       ///< at every end of a step or every output of the scene, a thousand of them
   const State* start = nullptr;  ///< in place of the scene's
 };
 
@@ -55,7 +55,8 @@ struct PilotRun {
   double reached = 0.0;            ///< [s] of the scene
   MotionSize motion;               ///< of a reference
   std::vector<State> states;       ///< of a reference: the start and some on the way
-  std::vector<double> leastGap;    ///< [m] of a node from each obstacle, at any end of a step, less the way of a step
+  std::vector<double> leastGap;    ///< [m] of a node from each obstacle, at any end of a step
+  std::vector<double> sureGap;     ///< less the way of a node in a step: that much is left between the ends, too
   std::vector<double> startGap;    ///< [m] of each obstacle
   std::vector<double> firstTouch;  ///< [s] of each obstacle; infinite: never
   bool done() const { return failure.empty(); }
@@ -88,7 +89,8 @@ class Pilots {
 
  private:
   engine::StepOptions optionsOf(const Setting& setting) const;
-  void follow(const engine::StepOptions& options, const std::vector<std::size_t>& looks, const PilotLimits& limits,
+  std::vector<double> outputTimes() const;
+  void follow(const engine::StepOptions& options, const std::vector<double>& looks, const PilotLimits& limits,
               PilotRun& run) const;
 
   const engine::Scene& scene_;

@@ -150,17 +150,17 @@ class ReferenceSearch {
 
 double ReferenceMotion::errorOf(const Pilots& whole, const PathRows& rows) const {
   MotionSize apart;
-  const double slack = 1e-12 * whole.scene().duration;
-  for (std::size_t i = 0; i < rows.at.size(); ++i) {
-    // A reference has a row for each of the times, and the state there behind that of the start.
-    const std::size_t row = rows.at[i];
-    if (std::abs(rows.t[i] - run.rows.t[row]) <= slack) {
-      apart.include(distanceOf(rows, i, run.rows, row));
-    } else {
-      PathRows exact;
-      exact.add(row, whole.system(), whole.advance(run.setting, run.states[row + 1], rows.t[i]));
-      apart.include(distanceOf(rows, i, exact, 0));
-    }
+  const double slack = 1e-11 * whole.scene().duration;
+  std::size_t before = 0;  // the last of the reference's states that is not later
+  State at = run.states.front();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::size_t known = before;
+    while (before + 1 < run.states.size() && run.states[before + 1].t <= rows.t[i] + slack) ++before;
+    if (before != known) at = run.states[before];
+    if (rows.t[i] > at.t + slack) at = whole.advance(run.setting, at, rows.t[i]);
+    PathRows exact;
+    exact.add(whole.system(), at);
+    apart.include(distanceOf(rows, i, exact, 0));
   }
   return errorIn(apart, run.motion);
 }
