@@ -76,9 +76,10 @@ class SettingSearch {
   std::optional<double> judge(const PilotRun& run, double asked) {
     Tried tried{asked, 0.0, run.seconds, !run.done()};
     if (run.done()) {
-      tried.error = statedFactor * (reference_.errorOf(whole_, run.rows) + reference_.doubt);
+      const double found = reference_.errorOf(whole_, run.rows);
+      tried.error = statedError(found, reference_.doubt);
       if (!std::isfinite(tried.error)) tried.failed = true;
-      if (!tried.failed) candidate_.points.push_back({tried.error / statedFactor, run.seconds});
+      if (!tried.failed) candidate_.points.push_back({found, run.seconds});
     }
     if (!tried.failed) seeOrder(tried);
     last_ = tried;
@@ -174,7 +175,7 @@ void takeReference(MethodChoice& choice, const ReferenceMotion& reference) {
       continue;
     candidate.fate = Candidate::Fate::Keeps;
     candidate.setting = setting;
-    candidate.error = statedFactor * 2.0 * reference.doubt;
+    candidate.error = statedError(reference.doubt, reference.doubt);
     candidate.seconds = reference.run.seconds;
     candidate.runs += 1;
     candidate.why = "what the others were held against";
@@ -212,9 +213,10 @@ bool isVerified(const Pilots& pilots, const Pilots& whole, const ReferenceMotion
     ++candidate.runs;
     if (!run.done()) break;
     candidate.setting = run.setting;
-    const double error = statedFactor * (reference.errorOf(whole, run.rows) + reference.doubt);
+    const double found = reference.errorOf(whole, run.rows);
+    const double error = statedError(found, reference.doubt);
     candidate.seconds *= i == 0 ? 1.0 : run.seconds / candidate.points.back().seconds;
-    candidate.points.push_back({error / statedFactor, run.seconds});
+    candidate.points.push_back({found, run.seconds});
     candidate.error = error;
     if (error <= tolerance) return true;
     const double power = candidate.setting.fixed ? candidate.estimate.order : 1.0;
@@ -234,6 +236,8 @@ void sortByTime(std::vector<Candidate>& candidates) {
 }
 
 }  // namespace
+
+double statedError(double found, double doubt) { return std::max(statedLeast, statedFactor * (found + doubt)); }
 
 const Candidate* MethodChoice::chosen() const {
   return !candidates.empty() && candidates.front().fate == Candidate::Fate::Chosen ? &candidates.front() : nullptr;

@@ -13,6 +13,12 @@ namespace muelle::lab {
 /// times, and between them they may be farther apart.
 inline constexpr double statedFactor = 1.25;
 
+/// Below it, in parts of the motion, runs differ by the rounding of their sums, which no reference tells.
+inline constexpr double statedLeast = 2e-12;
+
+/// "At most about", from the error that was found and what the reference may be off.
+double statedError(double found, double doubt);
+
 /// A run of a method at some setting.
 struct TriedPoint {
   double error = 0.0;    ///< in parts of the motion, as it was found

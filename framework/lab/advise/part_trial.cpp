@@ -112,7 +112,7 @@ class Trials {
       trial.why = "without it: " + run.failure;
       return trial;
     }
-    trial.error = statedFactor * (reference_.errorOf(whole_, run.rows) + reference_.doubt);
+    trial.error = statedError(reference_.errorOf(whole_, run.rows), reference_.doubt);
     time(pilots, trial);
     decide(trial);
     return trial;
@@ -246,7 +246,7 @@ std::vector<ModelPart> leaveOutTogether(const Pilots& whole, const ReferenceMoti
     const std::unique_ptr<ModelSystem> system = build(rest.model);
     const PilotRun run =
         Pilots(rest, *system).run(reference.run.setting, {.seconds = clock.left(), .isReference = true});
-    const double error = run.done() ? statedFactor * (reference.errorOf(whole, run.rows) + reference.doubt) : INFINITY;
+    const double error = run.done() ? statedError(reference.errorOf(whole, run.rows), reference.doubt) : INFINITY;
     if (error <= ofTolerance * tolerance) return parts;
     largest->leftOut = false;
     largest->why = run.outOfTime ? "the time was over" : "with the other parts it changes too much";

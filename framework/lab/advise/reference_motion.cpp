@@ -32,7 +32,7 @@ std::vector<Sources> sourcesFor(const Pilots& pilots, double tolerance) {
   const double first = std::clamp(tolerance / 100.0, finestTolerance, 1e-4);
   if (!pilots.system().rods().empty()) {
     const double h = pilots.scene().step.value_or(pilots.scene().duration / 1000.0);
-    return {{{"rattle", true, std::min(h, pilots.scene().duration / 48.0)}, {"rattle", true, 0.0}, 0.5}};
+    return {{{"rattle", true, std::min(h, pilots.scene().duration / 48.0)}, {"rattle", true, 0.0}, 0.25}};
   }
   std::vector<Sources> all;
   const bool smooth = pilots.scene().model.obstacles.empty();
@@ -76,7 +76,7 @@ class ReferenceSearch {
   }
 
   void attempt(Sources sources) {
-    constexpr int mostRounds = 6;
+    const int mostRounds = sources.coarse.fixed ? 10 : 6;
     double lastApart = 0.0;
     PilotRun before = take(sources.coarse, firstShare_);
     firstFailed_ = !before.done();
@@ -96,7 +96,9 @@ class ReferenceSearch {
         return settle(before, std::move(finer), apart);
       }
       // Chaos: differences that hardly shrink with the tolerance.
-      const bool stays = round > 0 && apart > 0.3 * lastApart && apart > 10.0 * tolerance_;
+      // (Steps are a quarter each time, tolerances far less.)
+      const double shrinks = finer.setting.fixed ? 0.7 : 0.3;
+      const bool stays = round > 0 && apart > shrinks * lastApart && apart > 10.0 * tolerance_;
       lastApart = apart;
       if (finest || stays) {
         found_.failure =
