@@ -46,6 +46,7 @@ int advise(const Command& command) {
   }
   const std::filesystem::path file = findScene(command.scene, shippedScenes());
   const Scene scene = readScene(file);
+  if (!command.apply.empty()) checkTarget(file, command.apply);
   AdviceOptions options = command.options;
   options.tolerance = *command.tolerance;
   Advice advice;

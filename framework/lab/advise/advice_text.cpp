@@ -1,6 +1,7 @@
 #include "base/text/count.h"
 #include "engine/integrators/catalogue.h"
 #include "lab/advise/advice.h"
+#include "lab/bench/report.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -12,13 +13,11 @@ namespace {
 
 std::string line(const char* name, const std::string& text) { return fmt::format("  {:<11} {}\n", name, text); }
 
-/// "12 us", "3.4 ms", "56 s".
-std::string durationText(double seconds) {
-  if (!std::isfinite(seconds)) return "-";
-  if (seconds < 1e-6) return fmt::format("{:.3g} ns", 1e9 * seconds);
-  if (seconds < 1e-3) return fmt::format("{:.3g} us", 1e6 * seconds);
-  if (seconds < 1.0) return fmt::format("{:.3g} ms", 1e3 * seconds);
-  return fmt::format("{:.3g} s", seconds);
+std::string durationText(double seconds) { return std::isfinite(seconds) ? bench::timeText(seconds) : "-"; }
+
+/// "0.042 %", "1.4 %", "100 %".
+std::string percentText(double share) {
+  return share >= 0.1 ? fmt::format("{:.0f} %", 100.0 * share) : fmt::format("{:.2g} %", 100.0 * share);
 }
 
 std::string fateText(const Candidate& candidate) {
@@ -137,8 +136,9 @@ std::string adviceText(const engine::Scene& scene, const Advice& advice) {
   if (!advice.reference.how.empty()) {
     text +=
         line("held", fmt::format("against {}, which differ by {:.1g}", advice.reference.how, advice.reference.doubt));
-    text += line("energy", fmt::format("{:.2g} % of it above a quarter of the highest frequency, {:.3g} Hz",
-                                       100.0 * advice.share.aboveQuarter, advice.share.fastest / 6.283185307179586));
+    text +=
+        line("energy", fmt::format("{} of it above a quarter of the highest frequency, {:.3g} Hz",
+                                   percentText(advice.share.aboveQuarter), advice.share.fastest / 6.283185307179586));
     std::string costs = fmt::format("an evaluation of the force {}", durationText(advice.costs.evaluation));
     if (advice.costs.factorisation > 0.0) {
       costs += fmt::format(", a step with a factorisation {}", durationText(advice.costs.factorisation));

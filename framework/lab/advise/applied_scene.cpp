@@ -206,7 +206,7 @@ AppliedScene appliedScene(const fs::path& file, const Advice& advice, const fs::
   return applied;
 }
 
-AppliedScene writeApplied(const fs::path& file, const Advice& advice, const fs::path& target) {
+void checkTarget(const fs::path& file, const fs::path& target) {
   std::error_code error;
   if (fs::equivalent(file, target, error)) {
     throw std::invalid_argument(
@@ -215,6 +215,13 @@ AppliedScene writeApplied(const fs::path& file, const Advice& advice, const fs::
   if (target.extension() != ".toml") {
     throw std::invalid_argument(fmt::format("--apply {}: a scene file ends in .toml", target.string()));
   }
+  if (!fs::is_directory(folderOf(target))) {
+    throw std::invalid_argument(fmt::format("--apply {}: there is no such folder", target.string()));
+  }
+}
+
+AppliedScene writeApplied(const fs::path& file, const Advice& advice, const fs::path& target) {
+  checkTarget(file, target);
   const AppliedScene applied = appliedScene(file, advice, folderOf(target));
   writeFile(target, applied.text);
   Scene meant = advice.scene;

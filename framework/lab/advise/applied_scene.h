@@ -21,8 +21,11 @@ struct AppliedScene {
 /// cannot be changed line by line (tables in one line).
 AppliedScene appliedScene(const std::filesystem::path& file, const Advice& advice, const std::filesystem::path& folder);
 
-/// Writes it to `target`, reads it again and holds it against the advice. Throws std::invalid_argument when `target` is
-/// the scene itself.
+/// Throws std::invalid_argument when the advice could not be written there: `target` is the scene itself, does not end
+/// in .toml, or its folder is not there.
+void checkTarget(const std::filesystem::path& file, const std::filesystem::path& target);
+
+/// Writes it to `target`, reads it again and holds it against the advice. Throws as checkTarget() does.
 AppliedScene writeApplied(const std::filesystem::path& file, const Advice& advice, const std::filesystem::path& target);
 
 }  // namespace muelle::lab

@@ -1,5 +1,6 @@
 #include "lab/advise/method_search.h"
 
+#include "lab/bench/report.h"
 #include "lab/bench/statistics.h"
 #include "lab/bench/stopwatch.h"
 
@@ -53,7 +54,7 @@ class SettingSearch {
       if (!next) return;
       const double foreseen = foreseenSeconds(*next);
       if (!candidate_.keeps() && foreseen > surely * best) {
-        return stop(false, fmt::format("at {} it would take {:.2g} s", text(*next), foreseen));
+        return stop(false, fmt::format("at {} it would take {}", text(*next), bench::timeText(foreseen)));
       }
       value = *next;
     }
