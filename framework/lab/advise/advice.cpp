@@ -62,6 +62,8 @@ class Adviser {
     if (!advice_.reference.stands()) return refuse(pilots);
     advice_.costs = unitCosts(pilots);
     advice_.share = shareOf(*system);
+    advice_.forms = closedForms(pilots, advice_.reference, options_.tolerance);
+    advice_.islands = islandsOf(scene_.model).size();
     advice_.whole = choose(pilots, pilots, 0.4 * left(), 0.35, 0.6);
     if (advice_.whole.chosen() == nullptr) return refuseMethods();
     advice_.parts =

@@ -1,5 +1,6 @@
 #pragma once
 #include "engine/scene/scene.h"
+#include "lab/advise/closed_form.h"
 #include "lab/advise/method_search.h"
 #include "lab/advise/part_trial.h"
 
@@ -33,6 +34,8 @@ struct Advice {
   UnitCosts costs;
   MethodChoice whole;              ///< methods for the whole model
   std::vector<PartTrial> parts;    ///< what could be left out of it
+  std::vector<ClosedForm> forms;   ///< ways without a run
+  std::size_t islands = 1;         ///< groups of nodes that do not act on each other
   engine::Scene scene;             ///< the scene that is advised: without these parts, by the chosen method
   MethodChoice methods;            ///< for that scene; their errors are those against the whole model
   std::vector<LadderStep> ladder;  ///< empty where nothing was left out

@@ -102,6 +102,22 @@ std::string partsTable(const Advice& advice) {
   return text + "  (each left out on its own: saves time at the setting that is best for the whole model)\n";
 }
 
+/// What is told and changes nothing in the file.
+std::string factsText(const Advice& advice) {
+  std::string text;
+  for (const ClosedForm& form : advice.forms) {
+    const std::string error = std::isfinite(form.error) ? fmt::format("error at most about {:.2g}, ", form.error) : "";
+    text += line("fact", form.holds ? fmt::format("{} would do, {}{}", form.name, error, form.why)
+                                    : fmt::format("{} would not do: {}", form.name, form.why));
+  }
+  if (advice.islands > 1) {
+    text += line("fact",
+                 fmt::format("{} groups of nodes do not act on each other: run apart, each may take steps of its own",
+                             advice.islands));
+  }
+  return text;
+}
+
 std::string methodsTable(const std::vector<Candidate>& candidates) {
   if (candidates.empty()) return "";
   std::string text = fmt::format("  {:<26} {:<19} {:>8} {:>6} {:>10}  {}\n", "method", "step or tolerance",
@@ -145,7 +161,7 @@ std::string adviceText(const engine::Scene& scene, const Advice& advice) {
     }
     text += line("unit costs", costs);
   }
-  text += partsTable(advice) + methodsTable(advice.methods.candidates);
+  text += partsTable(advice) + factsText(advice) + methodsTable(advice.methods.candidates);
   std::string cost = fmt::format("{:.2g} s of a budget of {:.3g} s", advice.seconds, advice.budget);
   if (advice.whole.outOfTime || advice.methods.outOfTime) cost += ", which ended the search";
   return text + line("cost", cost);

@@ -278,5 +278,61 @@ TEST(StillNodes, AreNotStillWhereAPulseComesLate) {
   EXPECT_FALSE(advice.scene.model.nodes[3].pinned);
 }
 
+/// A spring along its line is linear: the closed form is exact, whatever the amplitude.
+TEST(LinearModes, DescribeASpringAlongItsLine) {
+  Scene scene = aboveFloor(0.7, 3.0);
+  scene.model.obstacles.clear();
+  const Advice advice = adviceOn(scene, 1e-6);
+  ASSERT_EQ(advice.forms.size(), 1U);
+  EXPECT_EQ(advice.forms[0].name, "linear modes");
+  EXPECT_TRUE(advice.forms[0].holds) << advice.forms[0].error;
+}
+
+/// An elastic pendulum whose bounce, 2 sqrt(g / L), has twice the frequency of its swing: k = 4 m g / L. It bounces
+/// with 0.05 m and is hardly off the plumb line.
+Scene resonant(double duration) {
+  Model model;
+  model.dimension = 2;
+  model.gravity = {0.0, 0.0, -9.81};
+  constexpr double L = 1.0, k = 4.0 * 9.81 / L;
+  model.nodes = {nodeAt({0, 0, 0}, true), nodeAt({1e-3, 0, -L - 0.05})};
+  model.springs = {{0, 1, k, L - 9.81 / k}};
+  return sceneOf(model, duration);
+}
+
+/// Trap: at first the bounce is linear to second order; then it turns into a swing, which no linear mode has.
+TEST(LinearModes, DoNotHoldWhereAResonanceWakesTheSwing) {
+  const Advice shortly = adviceOn(resonant(0.5), 0.1), late = adviceOn(resonant(40.0), 0.1);
+  ASSERT_EQ(shortly.forms.size(), 1U);
+  ASSERT_EQ(late.forms.size(), 1U);
+  EXPECT_TRUE(shortly.forms[0].holds) << shortly.forms[0].error;
+  EXPECT_FALSE(late.forms[0].holds) << late.forms[0].error;
+}
+
+TEST(FreeFlight, HoldsUntilTheGroundIsTouched) {
+  Scene scene;
+  scene.model.dimension = 1;
+  scene.model.gravity = {-9.81, 0.0, 0.0};
+  scene.model.nodes = {nodeAt({1, 0, 0})};
+  scene = sceneOf(scene.model, 0.4);
+  Obstacle ground;
+  ground.normal = Vec3::UnitX();
+  scene.model.obstacles = {ground};
+  const Advice flight = adviceOn(scene, 1e-6);
+  ASSERT_EQ(flight.forms.size(), 1U);
+  EXPECT_TRUE(flight.forms[0].holds);
+  scene.duration = 0.6;  // it falls for 0.45 s
+  const Advice bounce = adviceOn(scene, 1e-2);
+  ASSERT_EQ(bounce.forms.size(), 1U);
+  EXPECT_FALSE(bounce.forms[0].holds);
+}
+
+TEST(Islands, WhatIsHeldPassesNothingOn) {
+  Model model;
+  model.nodes = {nodeAt({0, 0, 0}), nodeAt({1, 0, 0}, true), nodeAt({2, 0, 0}), nodeAt({3, 0, 0})};
+  model.springs = {{0, 1, 1.0, 1.0}, {1, 2, 1.0, 1.0}, {2, 3, 1.0, 1.0}};
+  EXPECT_EQ(islandsOf(model), (std::vector<std::vector<int>>{{0}, {2, 3}}));
+}
+
 }  // namespace
 }  // namespace muelle::lab
