@@ -85,6 +85,51 @@ class GapWatch {
   PilotRun& run_;
 };
 
+/// Takes the rows of a run as it goes.
+class RowRecorder {
+ public:
+  /// \param dense  by dense output at the times; else at the first end of a step behind each of them
+  RowRecorder(const ModelSystem& system, const std::vector<double>& times, bool dense, const PilotLimits& limits,
+              PilotRun& run)
+      : system_(system), times_(times), dense_(dense), limits_(limits), run_(run) {}
+
+  void see(Simulation& simulation, const Advance& advance) {
+    const bool isStep = advance.kind == Advance::Kind::Step;
+    if (dense_) {
+      for (; isStep && isDue(simulation.time()); ++next_) {
+        run_.rows.add(system_, simulation.at(std::min(simulation.time(), times_[next_])));
+      }
+    } else if (limits_.looksOften) {
+      if (isStep) seeEvery(simulation.state());
+    } else if (isDue(simulation.time())) {
+      // A step that passes over several of the times is looked at once.
+      while (isDue(simulation.time())) ++next_;
+      run_.rows.add(system_, simulation.state());
+      if (limits_.isReference) run_.states.push_back(simulation.state());
+    }
+  }
+  bool hasAll() const { return next_ >= times_.size(); }
+
+ private:
+  bool isDue(double t) const { return next_ < times_.size() && times_[next_] <= t + 1e-12 * times_.back(); }
+
+  /// Every end of a step; of many steps every second one, and so on.
+  void seeEvery(const State& state) {
+    if (++steps_ % stride_ == 0) run_.rows.add(system_, state);
+    if (static_cast<double>(run_.rows.size()) <= mostOftenLooks) return;
+    run_.rows.thin();
+    stride_ *= 2;
+  }
+
+  const ModelSystem& system_;
+  const std::vector<double>& times_;
+  bool dense_;
+  const PilotLimits& limits_;
+  PilotRun& run_;
+  std::size_t next_ = 0;
+  long long steps_ = 0, stride_ = 1;
+};
+
 }  // namespace
 
 bool PilotRun::touches() const {
@@ -196,49 +241,28 @@ void Pilots::follow(const StepOptions& options, const std::vector<double>& looks
   Simulation simulation(system_, *method, start, options);
   MotionFrame frame(system_, start);
   GapWatch gaps(system_, watched_, run);
+  RowRecorder recorder(system_, looks, looks_.isDense() && !limits.isReference, limits, run);
   const bool watches = limits.isReference || limits.watchesGaps;
   if (watches) gaps.see(simulation.state(), 0.0);
   run.startGap = run.leastGap;
   if (limits.isReference) run.states.push_back(simulation.state());
-  const bool isDense = looks_.isDense() && !limits.isReference;
-  const double slack = 1e-12 * scene_.duration;
-  std::size_t next = 0;
-  long long steps = 0, stride = 1;
   Deadline deadline(limits.seconds);
   for (Advance advance = simulation.advance(); advance.goesOn(); advance = simulation.advance()) {
-    const double t = simulation.time();
     if (limits.isReference) {
       const ErrorScale size = frame.sizeAt(system_, simulation.state());
       run.motion.include({size.position, size.velocity});
     }
     if (watches) gaps.see(simulation.state(), advance.length);
-    if (isDense) {
-      for (; advance.kind == Advance::Kind::Step && next < looks.size() && looks[next] <= t + slack; ++next) {
-        run.rows.add(system_, simulation.at(std::min(t, looks[next])));
-      }
-    } else if (limits.looksOften) {
-      if (advance.kind == Advance::Kind::Step && ++steps % stride == 0) run.rows.add(system_, simulation.state());
-      if (static_cast<double>(run.rows.size()) > mostOftenLooks) {
-        run.rows.thin();
-        stride *= 2;
-      }
-    } else if (next < looks.size() && looks[next] <= t + slack) {
-      // A step that passes over several of the times is looked at once.
-      while (next < looks.size() && looks[next] <= t + slack) ++next;
-      run.rows.add(system_, simulation.state());
-      if (limits.isReference) run.states.push_back(simulation.state());
-    }
-    if (deadline.passed()) {
-      run.outOfTime = true;
-      break;
-    }
+    recorder.see(simulation, advance);
+    run.outOfTime = deadline.passed();
+    if (run.outOfTime) break;
   }
   run.reached = simulation.time();
   run.steps = simulation.work().steps + simulation.work().rejectedSteps;
   run.evaluations = simulation.work().forceEvaluations;
   if (!simulation.finished()) {
     run.failure = run.outOfTime ? "given up for its time" : simulation.stop().message;
-  } else if (next < looks.size()) {
+  } else if (!recorder.hasAll()) {
     run.failure = "the run ended before its last output";
   }
 }

@@ -77,7 +77,7 @@ class ReferenceSearch {
 
   void attempt(Sources sources) {
     const int mostRounds = sources.coarse.fixed ? 10 : 6;
-    double lastApart = 0.0;
+    lastApart_ = 0.0;
     PilotRun before = take(sources.coarse, firstShare_);
     firstFailed_ = !before.done();
     for (int round = 0; round < mostRounds; ++round) {
@@ -91,34 +91,44 @@ class ReferenceSearch {
       PilotRun finer = take(sources.fine);
       if (!finer.done()) return fail(finer);
       const double apart = errorIn(distanceOf(before.rows, finer.rows), finer.motion);
-      const bool finest = !finer.setting.fixed && finer.setting.value <= finestTolerance;
-      if (apart <= tolerance_ / 50.0 || ((finest || round + 1 == mostRounds) && apart <= tolerance_ / 8.0)) {
-        return settle(before, std::move(finer), apart);
-      }
-      // Chaos: differences that hardly shrink with the tolerance.
-      // (Steps are a quarter each time, tolerances far less.)
-      const double shrinks = finer.setting.fixed ? 0.7 : 0.3;
-      const bool stays = round > 0 && apart > shrinks * lastApart && apart > 10.0 * tolerance_;
-      lastApart = apart;
-      if (finest || stays) {
-        found_.failure =
-            fmt::format("{} at {} and {} at {} differ by {:.1g} of the motion", before.setting.method,
-                        before.setting.valueText(), finer.setting.method, finer.setting.valueText(), apart);
-        found_.disagrees = true;
-        keep(std::move(finer), apart);
-        return;
-      }
-      // The next pair is so much finer that it should agree.
+      const double doubt = doubtOf(finer, apart);
+      const bool isLast = isFinest(finer) || round + 1 == mostRounds;
+      if (doubt <= tolerance_ / (isLast ? 8.0 : 50.0)) return settle(before, std::move(finer), doubt);
+      if (isFinest(finer) || staysApart(finer, apart)) return disagree(before, std::move(finer), apart);
+      lastApart_ = apart;
       if (finer.setting.fixed) {
         before = std::move(finer);
         continue;
       }
-      const double finer_by = std::clamp(tolerance_ / 100.0 / apart, 1e-4, 0.1);
-      sources.coarse.value = std::max(3.0 * finestTolerance, sources.coarse.value * finer_by);
+      // The next pair is so much finer that it should agree.
+      const double shrinks = std::clamp(tolerance_ / 100.0 / apart, 1e-4, 0.1);
+      sources.coarse.value = std::max(3.0 * finestTolerance, sources.coarse.value * shrinks);
       before = take(sources.coarse);
     }
     found_.failure = "runs do not come to agree, however fine their steps";
     found_.disagrees = true;
+  }
+
+  static bool isFinest(const PilotRun& run) { return !run.setting.fixed && run.setting.value <= finestTolerance; }
+
+  /// What the finer run may be off. A quarter of the step leaves a sixteenth of the error of order 2: where two pairs
+  /// in a row show that, an eighth of what they differ by is more than enough.
+  double doubtOf(const PilotRun& finer, double apart) const {
+    const double shrinks = lastApart_ / apart;
+    return finer.setting.fixed && shrinks > 10.0 && shrinks < 25.0 ? apart / 8.0 : apart;
+  }
+
+  /// Chaos: differences that hardly shrink. (Steps are a quarter each time, tolerances far less.)
+  bool staysApart(const PilotRun& finer, double apart) const {
+    const double shrinks = finer.setting.fixed ? 0.7 : 0.3;
+    return lastApart_ > 0.0 && apart > shrinks * lastApart_ && apart > 10.0 * tolerance_;
+  }
+
+  void disagree(const PilotRun& before, PilotRun finer, double apart) {
+    found_.failure = fmt::format("{} at {} and {} at {} differ by {:.1g} of the motion", before.setting.method,
+                                 before.setting.valueText(), finer.setting.method, finer.setting.valueText(), apart);
+    found_.disagrees = true;
+    keep(std::move(finer), apart);
   }
 
   void settle(const PilotRun& before, PilotRun finer, double apart) {
@@ -144,6 +154,7 @@ class ReferenceSearch {
   double tolerance_, seconds_;
   Clock::time_point begin_;
   double firstShare_ = 1.0, spent_ = 0.0;
+  double lastApart_ = 0.0;  // of the pair before; 0: none
   bool firstFailed_ = false;
   ReferenceMotion found_;
 };
