@@ -78,6 +78,7 @@ class ReferenceSearch {
   void attempt(Sources sources) {
     const int mostRounds = sources.coarse.fixed ? 10 : 6;
     lastApart_ = 0.0;
+    stays_ = 0;
     PilotRun before = take(sources.coarse, firstShare_);
     firstFailed_ = !before.done();
     for (int round = 0; round < mostRounds; ++round) {
@@ -118,10 +119,13 @@ class ReferenceSearch {
     return finer.setting.fixed && shrinks > 10.0 && shrinks < 25.0 ? apart / 8.0 : apart;
   }
 
-  /// Chaos: differences that hardly shrink. (Steps are a quarter each time, tolerances far less.)
-  bool staysApart(const PilotRun& finer, double apart) const {
+  /// Chaos: differences that hardly shrink. (Steps are a quarter each time, tolerances far less. Steps begin where they
+  /// may not resolve anything yet: there it has to be seen three times.)
+  bool staysApart(const PilotRun& finer, double apart) {
     const double shrinks = finer.setting.fixed ? 0.7 : 0.3;
-    return lastApart_ > 0.0 && apart > shrinks * lastApart_ && apart > 10.0 * tolerance_;
+    const bool stays = lastApart_ > 0.0 && apart > shrinks * lastApart_ && apart > 10.0 * tolerance_;
+    stays_ = stays ? stays_ + 1 : 0;
+    return stays_ >= (finer.setting.fixed ? 3 : 1);
   }
 
   void disagree(const PilotRun& before, PilotRun finer, double apart) {
@@ -155,6 +159,7 @@ class ReferenceSearch {
   Clock::time_point begin_;
   double firstShare_ = 1.0, spent_ = 0.0;
   double lastApart_ = 0.0;  // of the pair before; 0: none
+  int stays_ = 0;           // pairs in a row that did not come nearer
   bool firstFailed_ = false;
   ReferenceMotion found_;
 };

@@ -63,7 +63,7 @@ struct AdviceStudy {
   void take(std::uint64_t seed) {
     const Scene scene = randomScene(seed);
     const double tolerance = std::pow(10.0, -2.0 - static_cast<double>(seed % 5));
-    const Advice advice = advise(scene, {.tolerance = tolerance, .budget = 3.0});
+    const Advice advice = advise(scene, {.tolerance = tolerance, .budget = 10.0});
     const Candidate* chosen = advice.chosen();
     const SceneRun run = runScene(chosen != nullptr ? advice.scene : scene);
     const Truth truth = truthOf(scene, run);
