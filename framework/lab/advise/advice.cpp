@@ -112,9 +112,9 @@ class Adviser {
     }
   }
 
-  /// Times both choices in turn. What is as fast to rounding is left out as well: a smaller model is easier to look at.
+  /// Times both choices in turn. What is about as fast is left out as well: a smaller model is easier to look at.
   bool isFaster(const Pilots& whole, const Pilots& rest, MethodChoice& choice) {
-    constexpr double asFast = 1.1;
+    constexpr double asFast = 1.25;
     std::vector<double> before, after;
     for (int round = 0; round < 7 && (round == 0 || left() > 0.0); ++round) {
       const auto timed = [](const Pilots& pilots, const MethodChoice& of) {

@@ -41,7 +41,7 @@ const Candidate* candidateIn(const std::vector<Candidate>& all, const std::strin
 /// The advised run against the analytic solution at each end of a step, in parts of 0.4 m and 2 m/s.
 TEST(Advice, TheRunIsAsExactAsWasSaid) {
   for (const double tolerance : {1e-1, 1e-3, 1e-5, 1e-8}) {
-    const Advice advice = advise(spring(), {.tolerance = tolerance, .budget = 5.0});
+    const Advice advice = advise(spring(), {.tolerance = tolerance, .budget = 60.0});
     ASSERT_NE(advice.chosen(), nullptr) << advice.refusal;
     EXPECT_LE(advice.chosen()->error, tolerance);
     const SceneRun run = runScene(advice.scene);
@@ -61,7 +61,7 @@ TEST(Advice, TheRunIsAsExactAsWasSaid) {
 /// At 1e-8 velocity Verlet would need 20 times as many steps as at the 2.5e-5 that it is off with h w = 0.003: whatever
 /// the machine, a method of order 8 or 12 is far cheaper.
 TEST(Advice, HighOrderIsTakenForSmallErrors) {
-  const Advice advice = advise(spring(), {.tolerance = 1e-8, .budget = 5.0});
+  const Advice advice = advise(spring(), {.tolerance = 1e-8, .budget = 60.0});
   ASSERT_NE(advice.chosen(), nullptr);
   EXPECT_GE(advice.chosen()->estimate.order, 8);
   const Candidate* verlet = candidateIn(advice.methods.candidates, "velocity_verlet");
@@ -72,7 +72,7 @@ TEST(Advice, HighOrderIsTakenForSmallErrors) {
 
 /// All of the oscillator's energy is in its one mode, which is the fastest: 10 rad/s.
 TEST(Advice, ThePilotNumberIsTheShareOfFastModes) {
-  const Advice one = advise(spring(), {.tolerance = 1e-3, .budget = 5.0});
+  const Advice one = advise(spring(), {.tolerance = 1e-3, .budget = 60.0});
   EXPECT_NEAR(one.share.fastest, 10.0, 0.01);
   EXPECT_NEAR(one.share.aboveQuarter, 1.0, 1e-9);
   // A second oscillator, at rest and ten times as fast, leaves it all below a quarter.
@@ -82,7 +82,7 @@ TEST(Advice, ThePilotNumberIsTheShareOfFastModes) {
   scene.model.nodes[2].pinned = true;
   scene.model.nodes[3].x = {4.0, 0.0, 0.0};
   scene.model.springs.push_back({2, 3, 1e4, 1.0});
-  const Advice two = advise(scene, {.tolerance = 1e-3, .budget = 5.0});
+  const Advice two = advise(scene, {.tolerance = 1e-3, .budget = 60.0});
   EXPECT_NEAR(two.share.fastest, 100.0, 0.1);
   EXPECT_NEAR(two.share.aboveQuarter, 0.0, 1e-9);
 }
@@ -90,7 +90,7 @@ TEST(Advice, ThePilotNumberIsTheShareOfFastModes) {
 TEST(Advice, UnfitMethodsAreNamedWithTheReason) {
   Scene scene = spring();
   scene.model.springs[0].dProjected = 0.5;
-  const Advice advice = advise(scene, {.tolerance = 1e-3, .budget = 5.0});
+  const Advice advice = advise(scene, {.tolerance = 1e-3, .budget = 60.0});
   const Candidate* nystrom = candidateIn(advice.whole.candidates, "nystrom8");
   ASSERT_NE(nystrom, nullptr);
   EXPECT_EQ(nystrom->fate, Candidate::Fate::Unfit);
@@ -102,7 +102,7 @@ TEST(Advice, UnfitMethodsAreNamedWithTheReason) {
 TEST(Advice, NothingIsSaidOfAChaoticScene) {
   // A slack, stiff cloth without bending: runs at 1e-9 of the motion still differ by a tenth of it.
   const Scene scene = shipped("corner_hung_cloth");
-  const Advice advice = advise(scene, {.tolerance = 1e-4, .budget = 30.0});
+  const Advice advice = advise(scene, {.tolerance = 1e-4, .budget = 100.0});
   EXPECT_EQ(advice.chosen(), nullptr);
   EXPECT_THAT(advice.refusal, HasSubstr("differ by"));
   EXPECT_THAT(adviceText(scene, advice), HasSubstr("no statement at 0.0001"));
@@ -144,7 +144,7 @@ TEST(Advice, ShippedScenesGetAChoiceOrAReason) {
   for (const char* name :
        {"bouncing_ball", "dumbbell", "elastic_pendulum", "hanging_chain", "oscillator", "triangle", "whip"}) {
     const Scene scene = shipped(name);
-    const Advice advice = advise(scene, {.tolerance = 1e-3, .budget = 10.0});
+    const Advice advice = advise(scene, {.tolerance = 1e-3, .budget = 60.0});
     ASSERT_NE(advice.chosen(), nullptr) << name << ": " << advice.refusal;
     EXPECT_LE(advice.chosen()->error, 1e-3) << name;
     EXPECT_EQ(advice.scene.method, advice.chosen()->setting.method) << name;
@@ -155,7 +155,7 @@ TEST(Advice, ShippedScenesGetAChoiceOrAReason) {
 
 TEST(Advice, TheFigureShowsTheMethodsAndTheWayDown) {
   const Scene scene = shipped("dumbbell");
-  const Advice advice = advise(scene, {.tolerance = 1e-3, .budget = 5.0});
+  const Advice advice = advise(scene, {.tolerance = 1e-3, .budget = 60.0});
   ASSERT_FALSE(advice.ladder.empty());
   EXPECT_EQ(advice.ladder.front().left, "whole model");
   EXPECT_EQ(advice.ladder.size(), advice.leftOut().size() + 1);

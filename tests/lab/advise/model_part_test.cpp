@@ -42,7 +42,7 @@ const PartTrial* find(const Advice& advice, const std::string& name) {
 }
 
 Advice adviceOn(const Scene& scene, double tolerance = 1e-3) {
-  return advise(scene, {.tolerance = tolerance, .budget = 8.0});
+  return advise(scene, {.tolerance = tolerance, .budget = 60.0});
 }
 
 /// Two pins 2 m apart along x, a node between them that springs of rest length L0 hold, and a second one that hangs and
