@@ -19,6 +19,7 @@ void addClean(CommandLine& program);
 #if MUELLE_HAS_ENGINE
 void addRun(CommandLine& program);
 void addRest(CommandLine& program);
+void addAdvise(CommandLine& program);
 void addHardCases(CommandLine& program);
 void addBench(CommandLine& program);
 void addFigures(CommandLine& program);

@@ -23,7 +23,7 @@ constexpr AddCommand commands[] = {
     addGrade, addTestTheTests, addClean,
 #endif
 #if MUELLE_HAS_ENGINE
-    addRun,   addRest,         addHardCases, addBench, addFigures,
+    addRun,   addRest,         addAdvise, addHardCases, addBench, addFigures,
 #endif
     addTest,  addDocs,
 };

@@ -59,6 +59,10 @@ if [[ -x "$bin/muelle-run" ]]; then
   try run --list
   try run oscillator --no-error-estimate
 fi
+if [[ -x "$bin/muelle-advise" ]]; then
+  try advise --help
+  try advise oscillator --tolerance 1e-2
+fi
 if [[ -x "$bin/muelle-rest" ]]; then
   try rest --help
   try rest hanging_chain

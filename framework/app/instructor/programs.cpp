@@ -44,6 +44,10 @@ void addRest(CommandLine& program) {
   addProgram(program, "rest", "Where a scene stands still: stable or not, tensions, figure");
 }
 
+void addAdvise(CommandLine& program) {
+  addProgram(program, "advise", "The cheapest method, step and model for an error that one allows");
+}
+
 void addHardCases(CommandLine& program) {
   addProgram(program, "hard-cases", "Every method of the engine on every hard case: predicted first, then run");
 }
