@@ -7,6 +7,9 @@
 #include "engine/forces/stiffness_piece.h"
 #include "engine/forces/switching_piece.h"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace muelle::engine {
 
 /// All the forces of one kind: force and energy, and the pieces that the kind has, as a DynamicalSystem has
@@ -27,6 +30,11 @@ class ForceBatch {
 
   /// All of the force [N].
   virtual void addForce(const Configuration& at, double* f) const = 0;
+  /// The same over whatever f holds in its `lanes`: the first batch of a system writes, the others add.
+  virtual void writeForce(const Configuration& at, double* f, std::size_t lanes) const {
+    std::fill_n(f, lanes, 0.0);
+    addForce(at, f);
+  }
   /// Potential energy [J].
   virtual double energy(const Configuration& at) const = 0;
   /// -grad of the energy [N].

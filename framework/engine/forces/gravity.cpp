@@ -1,9 +1,15 @@
 #include "engine/forces/gravity.h"
 
+#include <algorithm>
+
 namespace muelle::engine {
 
 void Gravity::addForce(const Configuration&, double* f) const {
   for (std::size_t i = 0; i < weight_.size(); ++i) f[i] += weight_[i];
+}
+
+void Gravity::writeForce(const Configuration&, double* f, std::size_t) const {
+  std::copy_n(weight_.data(), weight_.size(), f);
 }
 
 double Gravity::energy(const Configuration& at) const {

@@ -11,6 +11,7 @@ class Gravity final : public ForceBatch {
 
   bool isUniformField() const override { return true; }
   void addForce(const Configuration& at, double* f) const override;
+  void writeForce(const Configuration& at, double* f, std::size_t lanes) const override;
   double energy(const Configuration& at) const override;
   void addDiscreteGradientForce(const Configuration& a, const Configuration& b, double* f) const override;
 

@@ -99,10 +99,21 @@ void MassSpringSystem::clear(Out f) const {
   std::fill(f.begin(), f.end(), 0.0);
 }
 
+/// Overwrites f with the forces of the batches from the given one on, without the drag.
+void MassSpringSystem::sumForces(const Configuration& at, std::size_t first, double* f) const {
+  const auto lanes = static_cast<std::size_t>(storage());
+  if (first == batches_.size()) {
+    std::fill_n(f, lanes, 0.0);
+    return;
+  }
+  batches_[first]->writeForce(at, f, lanes);
+  for (std::size_t i = first + 1; i < batches_.size(); ++i) batches_[i]->addForce(at, f);
+}
+
 void MassSpringSystem::force(double t, In x, In v, In z, Out f) const {
   const Configuration at = configuration(t, x, v, z);
-  clear(f);
-  for (const auto& batch : batches_) batch->addForce(at, f.data());
+  requireEveryLane(f);
+  sumForces(at, 0, f.data());
   if (drag_) drag_->addForce(at, f.data());
 }
 
@@ -111,12 +122,11 @@ void MassSpringSystem::accelerate(const Configuration& at, In x, In v, bool with
   if (grid_) {
     requireEveryLane(a);
     const bool others = onGrid_ < batches_.size();
-    if (others) std::fill(scratch_.begin(), scratch_.end(), 0.0);
-    for (std::size_t i = onGrid_; i < batches_.size(); ++i) batches_[i]->addForce(at, scratch_.data());
+    if (others) sumForces(at, onGrid_, scratch_.data());
     return grid_->accelerate(x, v, others ? scratch_.data() : nullptr, inverseMass_, withDrag, a);
   }
-  clear(a);
-  for (const auto& batch : batches_) batch->addForce(at, a.data());
+  requireEveryLane(a);
+  sumForces(at, 0, a.data());
   if (withDrag && drag_) drag_->addForce(at, a.data());
   for (std::size_t i = 0; i < a.size(); ++i) a[i] *= inverseMass_[i];
 }

@@ -117,6 +117,7 @@ class MassSpringSystem final : public ModelSystem,
   void collectPieces();
   void requireEveryLane(Out f) const;
   void clear(Out f) const;
+  void sumForces(const Configuration& at, std::size_t first, double* f) const;
   void accelerate(const Configuration& at, In x, In v, bool withDrag, Out a) const;
   int componentOf(int axis) const;
   void bind() const;
