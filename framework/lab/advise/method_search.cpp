@@ -222,6 +222,11 @@ void timeSideBySide(const Pilots& pilots, std::vector<Candidate*> close, const s
 bool isVerified(const Pilots& pilots, const Pilots& whole, const ReferenceMotion& reference, double tolerance,
                 Candidate& candidate) {
   constexpr int mostRuns = 4;
+  double lastSeconds = 0.0;
+  // The point that this setting had is told anew.
+  std::erase_if(candidate.points, [&](const TriedPoint& point) {
+    return std::abs(point.seconds - candidate.seconds) < 1e-6 * candidate.seconds;
+  });
   for (int i = 0; i < mostRuns; ++i) {
     const PilotRun run = pilots.run(candidate.setting, {.looksOften = true});
     ++candidate.runs;
@@ -229,8 +234,10 @@ bool isVerified(const Pilots& pilots, const Pilots& whole, const ReferenceMotion
     candidate.setting = run.setting;
     const double found = reference.errorOf(whole, run.rows);
     const double error = statedError(found, reference.doubt);
-    candidate.seconds *= i == 0 ? 1.0 : run.seconds / candidate.points.back().seconds;
-    candidate.points.push_back({found, run.seconds});
+    // Looks take time of their own, alike in these runs.
+    if (lastSeconds > 0.0) candidate.seconds *= run.seconds / lastSeconds;
+    lastSeconds = run.seconds;
+    candidate.points.push_back({found, candidate.seconds});
     candidate.error = error;
     if (error <= tolerance) return true;
     const double power = candidate.setting.fixed ? candidate.estimate.order : 1.0;
