@@ -128,6 +128,7 @@ void compare(const BenchScene& scene, const std::filesystem::path& folder) {
         "{:<18} {:.0e}  {:<26} {:<20} true {:.2g} said {:.2g}  ratio {:.2f} [{:.2f} {:.2f}] to {}  cost {:.2g} s\n",
         scene.name, target, chosen->setting.name(), chosen->setting.valueText(), larger(reference.errorOf(path)),
         chosen->error, ratio.median, ratio.low, ratio.high, best->curve->method, advice.seconds);
+    if (ratio.low > 1.3) fmt::print("{}", lab::adviceText(advice.scene, advice));
     std::fflush(stdout);
   }
 }

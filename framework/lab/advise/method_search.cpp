@@ -40,8 +40,6 @@ class SettingSearch {
   void run(double best, const std::function<double()>& left) {
     const MethodEstimate& estimate = candidate_.estimate;
     double value = estimate.setting.value;
-    // Where linear theory has a far shorter step there is no use in beginning at the limit.
-    if (estimate.setting.fixed && estimate.stepForError < 0.25 * value) value = 2.0 * estimate.stepForError;
     constexpr int mostRuns = 8;
     for (int i = 0; i < mostRuns; ++i) {
       value = readable(value);
@@ -98,7 +96,7 @@ class SettingSearch {
     }
     coarsestBad_ = std::min(coarsestBad_, asked);
     reason_ = fmt::format("at {} its error is {:.2g}", run.setting.valueText(), tried.error);
-    if (kept_) return std::nullopt;
+    if (kept_) return between(tried);
     candidate_.setting = run.setting;
     candidate_.error = tried.error;
     candidate_.seconds = run.seconds;
@@ -129,6 +127,9 @@ class SettingSearch {
   double power() const { return power_ > 0.0 ? power_ : fixed() ? candidate_.estimate.order : 0.9; }
 
   std::optional<double> finer(const Tried& tried) const {
+    // Of an error as large as the motion nothing can be told: linear theory has a better guess.
+    const double guess = 2.0 * candidate_.estimate.stepForError;
+    if (fixed() && tried.error > 0.5 && guess < 0.5 * tried.value) return guess;
     const double factor = std::pow(0.88 * allowed_ / tried.error, 1.0 / power());
     const double next = tried.value * std::clamp(factor, fixed() ? 0.02 : 1e-4, 0.9);
     if (!fixed() && next < 2e-14) return std::nullopt;
@@ -139,10 +140,21 @@ class SettingSearch {
     const double limit = fixed() ? candidate_.estimate.largestStep : 1.0;
     const double room = std::pow(0.93 * allowed_ / tried.error, 1.0 / power());
     double next = std::min({tried.value * std::min(room, fixed() ? 4.0 : 30.0), limit, 0.93 * coarsestBad_});
-    const double saves =
-        fixed() ? next / tried.value : std::pow(next / tried.value, 1.0 / (candidate_.estimate.order + 1.0));
-    if (saves < 1.12) return std::nullopt;
+    if (!pays(next)) return std::nullopt;
     return next;
+  }
+  /// Between a setting that keeps the tolerance and a coarser one that does not, where that still pays.
+  std::optional<double> between(const Tried& coarse) {
+    constexpr int most = 2;
+    if (coarse.value <= kept_->value || ++betweens_ > most || !(kept_->error > 0.0)) return std::nullopt;
+    const double way = std::log(0.85 * allowed_ / kept_->error) / std::log(coarse.error / kept_->error);
+    const double next = kept_->value * std::pow(coarse.value / kept_->value, std::clamp(way, 0.0, 0.9));
+    return pays(next) ? std::optional(next) : std::nullopt;
+  }
+  /// Whether a coarser setting saves a ninth of the cost or more.
+  bool pays(double coarser) const {
+    const double ratio = coarser / kept_->value;
+    return (fixed() ? ratio : std::pow(ratio, 1.0 / (candidate_.estimate.order + 1.0))) >= 1.12;
   }
   double foreseenSeconds(double value) const {
     if (!last_) return 0.0;
@@ -164,6 +176,7 @@ class SettingSearch {
   std::optional<Tried> last_, kept_;
   double coarsestBad_ = std::numeric_limits<double>::infinity();
   double power_ = 0.0;
+  int betweens_ = 0;
   std::string reason_;
   bool outOfTime_ = false;
 };
@@ -209,6 +222,11 @@ void timeSideBySide(const Pilots& pilots, std::vector<Candidate*> close, const s
 bool isVerified(const Pilots& pilots, const Pilots& whole, const ReferenceMotion& reference, double tolerance,
                 Candidate& candidate) {
   constexpr int mostRuns = 4;
+  double lastSeconds = 0.0;
+  // The point that this setting had is told anew.
+  std::erase_if(candidate.points, [&](const TriedPoint& point) {
+    return std::abs(point.seconds - candidate.seconds) < 1e-6 * candidate.seconds;
+  });
   for (int i = 0; i < mostRuns; ++i) {
     const PilotRun run = pilots.run(candidate.setting, {.looksOften = true});
     ++candidate.runs;
@@ -216,8 +234,10 @@ bool isVerified(const Pilots& pilots, const Pilots& whole, const ReferenceMotion
     candidate.setting = run.setting;
     const double found = reference.errorOf(whole, run.rows);
     const double error = statedError(found, reference.doubt);
-    candidate.seconds *= i == 0 ? 1.0 : run.seconds / candidate.points.back().seconds;
-    candidate.points.push_back({found, run.seconds});
+    // Looks take time of their own, alike in these runs.
+    if (lastSeconds > 0.0) candidate.seconds *= run.seconds / lastSeconds;
+    lastSeconds = run.seconds;
+    candidate.points.push_back({found, candidate.seconds});
     candidate.error = error;
     if (error <= tolerance) return true;
     const double power = candidate.setting.fixed ? candidate.estimate.order : 1.0;
