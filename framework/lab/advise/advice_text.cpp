@@ -151,7 +151,7 @@ std::string adviceText(const engine::Scene& scene, const Advice& advice) {
   }
   if (!advice.reference.how.empty()) {
     text +=
-        line("held", fmt::format("against {}, which differ by {:.1g}", advice.reference.how, advice.reference.doubt));
+        line("held", fmt::format("against {}: the two differ by {:.1g}", advice.reference.how, advice.reference.doubt));
     text +=
         line("energy", fmt::format("{} of it above a quarter of the highest frequency, {:.3g} Hz",
                                    percentText(advice.share.aboveQuarter), advice.share.fastest / 6.283185307179586));

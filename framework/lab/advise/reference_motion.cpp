@@ -136,7 +136,7 @@ class ReferenceSearch {
   }
 
   void settle(const PilotRun& before, PilotRun finer, double apart) {
-    found_.how = fmt::format("{} at {} against {} at {}", finer.setting.name(), finer.setting.valueText(),
+    found_.how = fmt::format("{} at {}, beside {} at {}", finer.setting.name(), finer.setting.valueText(),
                              before.setting.name(), before.setting.valueText());
     found_.failure.clear();
     found_.outOfTime = found_.disagrees = false;

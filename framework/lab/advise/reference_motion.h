@@ -11,7 +11,7 @@ namespace muelle::lab {
 struct ReferenceMotion {
   PilotRun run;            ///< the finer of the two
   double doubt = 0.0;      ///< what they differ by, in parts of the motion
-  std::string how;         ///< "nystrom8 at 1e-09 against dop853 at 2e-08"
+  std::string how;         ///< "nystrom8 at tolerance 1e-09, beside dop853 at tolerance 2e-08"
   std::string failure;     ///< why there is none, one line; empty when there is
   bool outOfTime = false;  ///< there is none because the time was over
   bool disagrees = false;  ///< there is none because runs do not agree, however fine

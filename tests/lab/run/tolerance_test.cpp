@@ -52,6 +52,12 @@ double leastTolerance(const MethodInfo& info) {
   return info.order < 4 ? 1e-8 : 0.0;
 }
 
+/// How many times the least error of all looser tolerances an error may be. One case is known to be worse: whether the
+/// dead band keeps a step hangs on last digits, and nystrom12 has a lucky 3e-9 between 7e-8 and 2e-8.
+double mostGrowth(const std::string& id, const std::string& problem) {
+  return id == "nystrom12" && problem == "mean height" ? 7.5 : 5.0;
+}
+
 class Sweep : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Sweep, ATighterToleranceNeverCostsAccuracy) {
@@ -62,18 +68,15 @@ TEST_P(Sweep, ATighterToleranceNeverCostsAccuracy) {
     const bool onlyDrag = info.needs.dragAside && drag != nullptr && !drag->remainderUsesVelocity();
     if (info.needs.velocityFreeForce && system->forceUsesVelocity() && !onlyDrag) continue;
     const Trajectory exact = runAtTolerance(*system, "dop853", 1e-14, problem.duration);
-    // Of tolerances at least ten times looser. Whether a step is kept by the dead band hangs on last digits, and may
-    // make an error by luck a few times smaller than that of its neighbours: nystrom12's, 3e-9 between 7e-8 and 2e-8.
-    double least = std::numeric_limits<double>::infinity(), last = least;
+    double least = std::numeric_limits<double>::infinity();
     for (int i = 4; i <= 22; ++i) {
       const double tolerance = std::pow(10.0, -0.5 * i);
       if (tolerance < leastTolerance(info)) break;
       const double error = errorOver(*system, runAtTolerance(*system, GetParam(), tolerance, problem.duration), exact);
       if (error > 1e-11) {
-        EXPECT_LE(error, 5.0 * least) << problem.name << " at tolerance " << tolerance;
+        EXPECT_LE(error, mostGrowth(info.id, problem.name) * least) << problem.name << " at tolerance " << tolerance;
       }
-      least = std::min(least, last);
-      last = error;
+      least = std::min(least, error);
       if (std::getenv("MUELLE_SHOW") != nullptr)
         std::printf("%s %s %.2g %.2g\n", GetParam().c_str(), problem.name, tolerance, error);
     }
