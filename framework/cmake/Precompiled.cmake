@@ -15,9 +15,9 @@ function(muelle_precompiled_target target useful)
 endfunction()
 
 # One for each optimisation level, for GCC takes the level from the header, whatever the command line says; one for the
-# engine, where Eigen asserts nothing; and one for what is compiled for a student's file, whose Eigen objects are filled. GoogleTest is in those of tests only: what its own
-# functions need of templates GCC makes again for every source that reads the header, used or not, which takes as long as
-# all the rest of a small source.
+# engine, where Eigen asserts nothing; and one for what is compiled for a student's file, whose Eigen objects are filled.
+# GoogleTest is in those of tests only: what its own functions need of templates GCC makes again for every source that
+# reads the header, used or not, which takes as long as all the rest of a small source.
 function(muelle_make_precompiled_headers)
   if(NOT MUELLE_PCH)
     return()
