@@ -3,6 +3,7 @@
 #include "run.h"
 #include "support/linear_system.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace muelle::engine {
@@ -222,6 +223,30 @@ TEST(Energy, OfImplicitMidpointHasNoBiasedRoundOff) {
   EXPECT_NEAR(0.5 * (end.x[0] * end.x[0] + end.v[0] * end.v[0]), 0.5, 1e-13);
   const double angle = 1e5 * 2.0 * std::atan(0.05);
   EXPECT_NEAR(end.x[0], std::cos(angle), 1e-10);
+}
+
+// The cubic of both ends' positions and velocities lies within max |x| + 4/27 (|h v0| + |h v1|), the largest values of
+// its basis; forces would come in times (h omega)^2 = 250,000.
+TEST(Interpolant, OfAStepOverManyPeriodsStaysNearItsEnds) {
+  const LinearSystem system(1.0, 0.0);
+  const double h = 500.0;
+  for (const auto make : {backwardEuler, linearisedBackwardEuler, bdf2, trBdf2}) {
+    const auto method = make();
+    method->prepare(system, {});
+    const State from = start({1.0}, {0.001});
+    State to, inside;
+    ASSERT_TRUE(method->step(system, from, h, to).done);
+    const double bound =
+        std::max(std::abs(from.x[0]), std::abs(to.x[0])) + 4.0 / 27.0 * h * (std::abs(from.v[0]) + std::abs(to.v[0]));
+    const long long before = method->work().forceEvaluations;
+    for (const double theta : {0.0, 0.1, 0.3, 0.5, 0.8, 1.0}) {
+      method->interpolate(system, from, to, theta, inside);
+      EXPECT_LE(std::abs(inside.x[0]), bound) << method->info().id << ' ' << theta;
+    }
+    EXPECT_NEAR(inside.x[0], to.x[0], 1e-15 * bound);
+    EXPECT_NEAR(inside.v[0], to.v[0], 1e-15 * bound);
+    EXPECT_EQ(method->work().forceEvaluations, before);
+  }
 }
 
 }  // namespace

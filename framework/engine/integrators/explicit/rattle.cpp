@@ -1,3 +1,4 @@
+#include "engine/integrators/cubic_interpolant.h"
 #include "engine/integrators/explicit/engines/kick.h"
 #include "engine/integrators/explicit/engines/state_mark.h"
 #include "engine/integrators/explicit/engines/step_finish.h"
@@ -128,19 +129,9 @@ class Rattle final : public Integrator {
     return result;
   }
 
-  /// Cubic from both ends' positions and velocities: the forces along the rods are not known to interpolate with.
+  /// The forces along the rods are not known to interpolate with.
   void interpolate(const DynamicalSystem&, const State& from, const State& to, double theta, State& out) override {
-    const double h = to.t - from.t;
-    out.t = from.t + theta * h;
-    out.x.resize(from.x.size());
-    out.v.resize(from.x.size());
-    out.z = from.z;
-    for (std::size_t i = 0; i < from.x.size(); ++i) {
-      const double d = to.x[i] - from.x[i], v0 = h * from.v[i], v1 = h * to.v[i];
-      const double c2 = 3.0 * d - 2.0 * v0 - v1, c3 = v0 + v1 - 2.0 * d;
-      out.x[i] = from.x[i] + theta * (v0 + theta * (c2 + theta * c3));
-      out.v[i] = (v0 + theta * (2.0 * c2 + 3.0 * theta * c3)) / h;
-    }
+    interpolateByVelocities(from, to, theta, out);
   }
 
   void restart() override {

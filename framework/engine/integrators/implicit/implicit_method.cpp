@@ -1,5 +1,6 @@
 #include "engine/integrators/implicit/implicit_method.h"
 
+#include "engine/integrators/cubic_interpolant.h"
 #include "engine/solve/spans.h"
 
 #include <fmt/format.h>
@@ -84,6 +85,12 @@ StepResult ImplicitMethod::stepIncrement(const DynamicalSystem& system, const St
   compact_->scatter(spanOf(dx_), increment.x);
   compact_->scatter(spanOf(dv_), increment.v);
   return result;
+}
+
+void ImplicitMethod::interpolate(const DynamicalSystem& system, const State& from, const State& to, double theta,
+                                 State& out) {
+  if (info_.order <= 2) return interpolateByVelocities(from, to, theta, out);
+  Integrator::interpolate(system, from, to, theta, out);
 }
 
 bool ImplicitMethod::follows(const State& from, const State& end, double h) {

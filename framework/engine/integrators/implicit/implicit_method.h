@@ -19,6 +19,10 @@ class ImplicitMethod : public Integrator {
   StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) final;
   bool hasIncrements() const final { return true; }
   StepResult stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) final;
+  /// To order 2 by positions and velocities alone. Where a step is many periods of a stiff spring long, h^2 a is its
+  /// force's last bit of stretch times (h omega)^2, and would throw nodes about between the steps.
+  void interpolate(const DynamicalSystem& system, const State& from, const State& to, double theta,
+                   State& out) override;
 
  protected:
   using Vector = Eigen::VectorXd;
