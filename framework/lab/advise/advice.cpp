@@ -93,7 +93,7 @@ class Adviser {
     advice_.scene = scene_;
     advice_.methods = advice_.whole;
     while (true) {
-      const std::vector<ModelPart> parts =
+      const std::vector<Simplification> parts =
           leaveOutTogether(whole, advice_.reference, advice_.parts, options_.tolerance, 0.5 * left());
       if (parts.empty()) return;
       const Scene rest = without(scene_, parts);
@@ -136,14 +136,14 @@ class Adviser {
   }
 
   /// Whether the advised run itself keeps away from the obstacles that were left out; one that it touches comes back.
-  bool keepsAway(const Pilots& pilots, const Setting& setting, const std::vector<ModelPart>& parts) {
+  bool keepsAway(const Pilots& pilots, const Setting& setting, const std::vector<Simplification>& parts) {
     const bool watched =
-        std::ranges::any_of(parts, [](const ModelPart& p) { return p.kind == ModelPart::Kind::Contact; });
+        std::ranges::any_of(parts, [](const Simplification& p) { return p.kind == Simplification::Kind::Contact; });
     if (!watched) return true;
     const PilotRun run = pilots.run(setting, {.watchesGaps = true});
     bool all = true;
     for (PartTrial& trial : advice_.parts) {
-      if (!trial.leftOut || trial.part.kind != ModelPart::Kind::Contact) continue;
+      if (!trial.leftOut || trial.part.kind != Simplification::Kind::Contact) continue;
       if (run.leastGap[trial.part.obstacle] > 0.0) continue;
       trial.leftOut = all = false;
       trial.why = "the run without it comes too near";
@@ -152,11 +152,11 @@ class Adviser {
   }
 
   /// The way from the whole model to the advised one, a part at a time.
-  void climb(const Pilots& whole, const std::vector<ModelPart>& parts) {
+  void climb(const Pilots& whole, const std::vector<Simplification>& parts) {
     const Candidate& before = *advice_.whole.chosen();
     addStep(whole, "whole model", whole, before.setting, before.seconds);
-    std::vector<ModelPart> gone;
-    for (const ModelPart& part : parts) {
+    std::vector<Simplification> gone;
+    for (const Simplification& part : parts) {
       gone.push_back(part);
       const bool last = gone.size() == parts.size();
       const Scene rest = without(scene_, gone);
@@ -204,8 +204,8 @@ class Adviser {
 
 }  // namespace
 
-std::vector<ModelPart> Advice::leftOut() const {
-  std::vector<ModelPart> all;
+std::vector<Simplification> Advice::leftOut() const {
+  std::vector<Simplification> all;
   for (const PartTrial& trial : parts) {
     if (trial.leftOut) all.push_back(trial.part);
   }

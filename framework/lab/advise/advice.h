@@ -43,7 +43,7 @@ struct Advice {
   double seconds = 0.0;            ///< of the clock on the wall, of all of it
 
   /// The parts that were left out.
-  std::vector<ModelPart> leftOut() const;
+  std::vector<Simplification> leftOut() const;
   const Candidate* chosen() const { return refusal.empty() ? methods.chosen() : nullptr; }
 };
 

@@ -131,7 +131,7 @@ std::string methodsTable(const std::vector<Candidate>& candidates) {
 std::string chosenLine(const Advice& advice, const Candidate& chosen) {
   std::string text = fmt::format("{}, {}", chosen.setting.name(), chosen.setting.valueText());
   std::string names;
-  for (const ModelPart& part : advice.leftOut()) names += (names.empty() ? "" : ", ") + part.name;
+  for (const Simplification& part : advice.leftOut()) names += (names.empty() ? "" : ", ") + part.name;
   if (!names.empty()) text += ", without " + names;
   text += fmt::format(": error at most about {:.2g}, {}", chosen.error, durationText(chosen.seconds));
   if (!names.empty()) text += fmt::format(" (the whole model {})", durationText(advice.whole.chosen()->seconds));

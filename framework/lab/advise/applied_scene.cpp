@@ -51,7 +51,7 @@ class SceneLines {
   }
 
   /// Takes "key = value" out of a table; nothing where it is not there.
-  void remove(const TomlValue& table, const char* key) {
+  void remove(const TomlValue& table, const std::string& key) {
     if (const TomlValue* value = table.find(key); value != nullptr) gone_[lineWith(*value, key)] = true;
   }
   void replace(const TomlValue& table, const char* key, const std::string& value) {
@@ -115,7 +115,7 @@ void removeEverywhere(SceneLines& lines, std::initializer_list<const char*> keys
 }
 
 /// The objects of that name, with the names that objects without one have.
-void removeFromObject(SceneLines& lines, const std::string& object, const char* key) {
+void removeFromObject(SceneLines& lines, const std::string& object, const std::string& key) {
   int number = 0;
   for (const TomlValue* table : lines.tables("object")) {
     ++number;
@@ -125,30 +125,24 @@ void removeFromObject(SceneLines& lines, const std::string& object, const char* 
   }
 }
 
-void leaveOut(SceneLines& lines, const ModelPart& part) {
+void leaveOut(SceneLines& lines, const Simplification& part) {
   switch (part.kind) {
-    case ModelPart::Kind::Axis:
+    case Simplification::Kind::Axis:
       break;  // another file altogether
-    case ModelPart::Kind::Contact:
+    case Simplification::Kind::Contact:
       lines.removeTable(*lines.tables("obstacle").at(part.obstacle));
       break;
-    case ModelPart::Kind::Damping:
+    case Simplification::Kind::Damping:
       removeEverywhere(lines, {"relative_damping", "projected_damping", "damping_ratio"});
       break;
-    case ModelPart::Kind::Drag:
+    case Simplification::Kind::Drag:
       removeEverywhere(lines, {"drag"});
       break;
-    case ModelPart::Kind::Springs:
-      removeFromObject(lines, part.table, part.name.ends_with(".bend") ? "bend_stiffness" : "shear_stiffness");
+    case Simplification::Kind::Elements:
+      removeFromObject(lines, part.object, part.key);
       break;
-    case ModelPart::Kind::Angles:
-      removeFromObject(lines, part.table, "angle_stiffness");
-      break;
-    case ModelPart::Kind::Dihedrals:
-      removeFromObject(lines, part.table, "dihedral_stiffness");
-      break;
-    case ModelPart::Kind::Motion:
-      lines.addAtEnd(fmt::format("\n[[pin]]\nnodes = [{}]\n", fmt::join(part.items, ", ")));
+    case Simplification::Kind::Motion:
+      lines.addAtEnd(fmt::format("\n[[pin]]\nnodes = [{}]\n", fmt::join(part.nodes, ", ")));
       break;
   }
 }
@@ -187,8 +181,8 @@ AppliedScene appliedScene(const fs::path& file, const Advice& advice, const fs::
   const Candidate* chosen = advice.chosen();
   if (chosen == nullptr) throw std::invalid_argument("--apply: there is no choice to write");
   AppliedScene applied;
-  std::vector<ModelPart> parts = advice.leftOut();
-  const auto axis = std::ranges::find(parts, ModelPart::Kind::Axis, &ModelPart::kind);
+  std::vector<Simplification> parts = advice.leftOut();
+  const auto axis = std::ranges::find(parts, Simplification::Kind::Axis, &Simplification::kind);
   if (axis != parts.end()) {
     const std::string problem = unlisted(advice.scene);
     if (problem.empty()) {
@@ -200,7 +194,7 @@ AppliedScene appliedScene(const fs::path& file, const Advice& advice, const fs::
   }
   SceneLines lines(file);
   setRun(lines, chosen->setting);
-  for (const ModelPart& part : parts) leaveOut(lines, part);
+  for (const Simplification& part : parts) leaveOut(lines, part);
   moveMeshes(lines, folderOf(file), folder);
   applied.text = lines.text();
   return applied;

@@ -90,7 +90,7 @@ class Trials {
   Trials(const Pilots& whole, const ReferenceMotion& reference, const Setting& timing, double tolerance, double seconds)
       : whole_(whole), reference_(reference), timing_(timing), tolerance_(tolerance), clock_(seconds) {}
 
-  PartTrial of(const ModelPart& part) {
+  PartTrial of(const Simplification& part) {
     PartTrial trial;
     trial.part = part;
     if (clock_.left() <= 0.0) {
@@ -132,12 +132,12 @@ class Trials {
   }
 
   void decide(PartTrial& trial) {
-    if (trial.part.kind == ModelPart::Kind::Contact && touched(trial)) return;
+    if (trial.part.kind == Simplification::Kind::Contact && touched(trial)) return;
     if (!(trial.error <= ofTolerance * tolerance_)) {
       trial.why = fmt::format("without it the error is {:.2g}", trial.error);
       return;
     }
-    if (trial.part.kind == ModelPart::Kind::Axis && !isFlat(trial)) return;
+    if (trial.part.kind == Simplification::Kind::Axis && !isFlat(trial)) return;
     trial.leftOut = true;
     if (trial.why.empty()) trial.why = "over the whole run it changes no more";
   }
@@ -199,8 +199,8 @@ class Trials {
 };
 
 /// Nodes that never move more than a thirtieth of what is allowed.
-std::vector<ModelPart> stillNodes(const Scene& scene, const ReferenceMotion& reference, double tolerance) {
-  ModelPart part{.kind = ModelPart::Kind::Motion, .name = ""};
+std::vector<Simplification> stillNodes(const Scene& scene, const ReferenceMotion& reference, double tolerance) {
+  Simplification part{.kind = Simplification::Kind::Motion, .name = ""};
   const PathRows& rows = reference.run.rows;
   const double most = tolerance / 30.0 * reference.run.motion.position;
   int unknown = 0;
@@ -211,11 +211,11 @@ std::vector<ModelPart> stillNodes(const Scene& scene, const ReferenceMotion& ref
     const bool still = std::ranges::all_of(rows.x, [&](const std::vector<double>& x) {
       return (Vec3(x[3 * node], x[3 * node + 1], x[3 * node + 2]) - start).norm() <= most;
     });
-    if (still) part.items.push_back(static_cast<int>(node));
+    if (still) part.nodes.push_back(static_cast<int>(node));
   }
-  if (part.items.empty() || std::ssize(part.items) == unknown) return {};
-  part.name = part.items.size() == 1 ? fmt::format("motion of node {}", part.items[0])
-                                     : fmt::format("motion of {} still nodes", part.items.size());
+  if (part.nodes.empty() || std::ssize(part.nodes) == unknown) return {};
+  part.name = part.nodes.size() == 1 ? fmt::format("motion of node {}", part.nodes[0])
+                                     : fmt::format("motion of {} still nodes", part.nodes.size());
   return {part};
 }
 
@@ -225,16 +225,16 @@ std::vector<PartTrial> tryParts(const Pilots& whole, const ReferenceMotion& refe
                                 double tolerance, double seconds) {
   Trials trials(whole, reference, timing, tolerance, seconds);
   std::vector<PartTrial> all;
-  for (const ModelPart& part : partsOf(whole.scene())) all.push_back(trials.of(part));
-  for (const ModelPart& part : stillNodes(whole.scene(), reference, tolerance)) all.push_back(trials.of(part));
+  for (const Simplification& part : simplificationsOf(whole.scene())) all.push_back(trials.of(part));
+  for (const Simplification& part : stillNodes(whole.scene(), reference, tolerance)) all.push_back(trials.of(part));
   return all;
 }
 
-std::vector<ModelPart> leaveOutTogether(const Pilots& whole, const ReferenceMotion& reference,
-                                        std::vector<PartTrial>& trials, double tolerance, double seconds) {
+std::vector<Simplification> leaveOutTogether(const Pilots& whole, const ReferenceMotion& reference,
+                                             std::vector<PartTrial>& trials, double tolerance, double seconds) {
   const Countdown clock(seconds);
   while (true) {
-    std::vector<ModelPart> parts;
+    std::vector<Simplification> parts;
     PartTrial* largest = nullptr;
     for (PartTrial& trial : trials) {
       if (!trial.leftOut) continue;

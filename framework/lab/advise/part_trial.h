@@ -1,6 +1,6 @@
 #pragma once
-#include "lab/advise/model_part.h"
 #include "lab/advise/reference_motion.h"
+#include "lab/advise/simplification.h"
 
 #include <limits>
 #include <string>
@@ -10,7 +10,7 @@ namespace muelle::lab {
 
 /// What leaving out a part of a model does.
 struct PartTrial {
-  ModelPart part;
+  Simplification part;
   double error = std::numeric_limits<double>::infinity();  ///< "at most about", in parts of the motion
   double timeLeft = 1.0;  ///< time of a run without the part over one with it, at the same setting
   bool measured = false;  ///< whether timeLeft was
@@ -34,7 +34,7 @@ std::vector<PartTrial> tryParts(const Pilots& whole, const ReferenceMotion& refe
 
 /// The parts that were decided to be left out. Where together they change more than a third of the tolerance, the one
 /// that changes most is kept, and so on.
-std::vector<ModelPart> leaveOutTogether(const Pilots& whole, const ReferenceMotion& reference,
-                                        std::vector<PartTrial>& trials, double tolerance, double seconds);
+std::vector<Simplification> leaveOutTogether(const Pilots& whole, const ReferenceMotion& reference,
+                                             std::vector<PartTrial>& trials, double tolerance, double seconds);
 
 }  // namespace muelle::lab

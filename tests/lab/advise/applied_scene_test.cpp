@@ -17,14 +17,14 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 /// An advice as if it had been given.
-Advice adviceFor(const Scene& scene, const Setting& setting, const std::vector<ModelPart>& parts) {
+Advice adviceFor(const Scene& scene, const Setting& setting, const std::vector<Simplification>& parts) {
   Advice advice;
   advice.scene = withSetting(without(scene, parts), setting);
   Candidate chosen;
   chosen.fate = Candidate::Fate::Chosen;
   chosen.setting = setting;
   advice.methods.candidates = {chosen};
-  for (const ModelPart& part : parts) {
+  for (const Simplification& part : parts) {
     PartTrial trial;
     trial.part = part;
     trial.leftOut = true;
@@ -34,9 +34,9 @@ Advice adviceFor(const Scene& scene, const Setting& setting, const std::vector<M
 }
 
 /// The parts of these names.
-std::vector<ModelPart> named(const Scene& scene, const std::vector<std::string>& names) {
-  std::vector<ModelPart> parts;
-  for (const ModelPart& part : partsOf(scene)) {
+std::vector<Simplification> named(const Scene& scene, const std::vector<std::string>& names) {
+  std::vector<Simplification> parts;
+  for (const Simplification& part : simplificationsOf(scene)) {
     if (std::ranges::find(names, part.name) != names.end()) parts.push_back(part);
   }
   EXPECT_EQ(parts.size(), names.size());
@@ -108,7 +108,7 @@ TEST_F(Applied, MethodAndStepStandInPlaceOfTheScenes) {
 TEST_F(Applied, PartsAreLeftOutOfTheFile) {
   const fs::path file = write(cloth);
   const Scene scene = readScene(file);
-  const std::vector<ModelPart> parts =
+  const std::vector<Simplification> parts =
       named(scene, {"contact with 'left'", "damping of springs", "drag", "cloth.bend"});
   writeApplied(file, adviceFor(scene, {"nystrom8", false, 1e-5}, parts), target());
   const Scene read = readScene(target());
@@ -122,8 +122,8 @@ TEST_F(Applied, PartsAreLeftOutOfTheFile) {
 
 TEST_F(Applied, StillNodesArePinned) {
   const fs::path file = write(cloth);
-  ModelPart still{.kind = ModelPart::Kind::Motion, .name = "motion of 2 still nodes"};
-  still.items = {7, 9};
+  Simplification still{.kind = Simplification::Kind::Motion, .name = "motion of 2 still nodes"};
+  still.nodes = {7, 9};
   writeApplied(file, adviceFor(readScene(file), {"dop853", false, 1e-5}, {still}), target());
   const Scene read = readScene(target());
   EXPECT_TRUE(read.model.nodes[7].pinned && read.model.nodes[9].pinned);

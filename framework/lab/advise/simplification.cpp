@@ -1,11 +1,13 @@
-#include "lab/advise/model_part.h"
+#include "lab/advise/simplification.h"
 
 #include "engine/model/axes.h"
+#include "engine/model/parts.h"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <functional>
+#include <map>
 
 namespace muelle::lab {
 
@@ -19,59 +21,22 @@ bool isDamped(const ModelSpring& spring) {
   return spring.dRelative > 0.0 || spring.dProjected > 0.0 || spring.dampingRatio > 0.0;
 }
 
-bool isOf(const Part& part, int node) { return node >= part.firstNode && node < part.firstNode + part.nodeCount; }
-
-/// How many nodes a row of a grid has, told from its springs: rows are joined inside by springs to the next node.
-int rowOf(const Model& model, const Part& part) {
-  const auto count = [&](int apart) {
-    return std::ranges::count_if(model.springs, [&](const ModelSpring& spring) {
-      return isOf(part, spring.a) && isOf(part, spring.b) && spring.b - spring.a == apart;
-    });
-  };
-  const auto rows = part.nodeCount - static_cast<int>(count(1));
-  if (rows < 2 || part.nodeCount % rows != 0) return 0;
-  const int row = part.nodeCount / rows;
-  return row > 1 && count(row) == static_cast<long>(row) * (rows - 1) ? row : 0;
-}
-
-/// The springs of an object that join nodes so far apart in number.
-std::vector<int> springsApart(const Model& model, const Part& part, const std::set<int>& apart) {
-  std::vector<int> found;
-  for (std::size_t i = 0; i < model.springs.size(); ++i) {
-    const ModelSpring& spring = model.springs[i];
-    if (isOf(part, spring.a) && isOf(part, spring.b) && apart.contains(std::abs(spring.b - spring.a))) {
-      found.push_back(static_cast<int>(i));
-    }
+/// The elements that objects make of these keys stiffen what holds without them.
+void addElements(const Scene& scene, std::vector<Simplification>& found) {
+  static const std::map<std::string, std::string> keys = {{"shear", "shear_stiffness"},
+                                                          {"bend", "bend_stiffness"},
+                                                          {"angle", "angle_stiffness"},
+                                                          {"dihedral", "dihedral_stiffness"}};
+  for (const ModelPart& part : partsOf(scene.model)) {
+    const std::size_t dot = std::min(part.name.rfind('.'), part.name.size());
+    const std::string object = part.name.substr(0, dot);
+    const auto key = keys.find(part.name.substr(std::min(dot + 1, part.name.size())));
+    if (key == keys.end() || std::ranges::find(scene.parts, object, &Part::name) == scene.parts.end()) continue;
+    Simplification elements{.kind = Simplification::Kind::Elements, .name = part.name};
+    elements.object = object;
+    elements.key = key->second;
+    found.push_back(std::move(elements));
   }
-  return found;
-}
-
-void addLists(const Scene& scene, const Part& part, std::vector<ModelPart>& parts) {
-  const Model& model = scene.model;
-  const auto add = [&](ModelPart::Kind kind, const char* list, std::vector<int> items) {
-    if (items.empty()) return;
-    ModelPart found;
-    found.kind = kind;
-    found.name = part.name + "." + list;
-    found.items = std::move(items);
-    found.table = part.name;
-    parts.push_back(std::move(found));
-  };
-  const int row = rowOf(model, part);
-  // In a narrow grid two kinds of springs join nodes equally far apart in number.
-  if (row > 4 && !part.triangles.empty()) {
-    add(ModelPart::Kind::Springs, "shear", springsApart(model, part, {row - 1, row + 1}));
-    add(ModelPart::Kind::Springs, "bend", springsApart(model, part, {2, 2 * row}));
-  }
-  std::vector<int> angles, dihedrals;
-  for (std::size_t i = 0; i < model.angles.size(); ++i) {
-    if (isOf(part, model.angles[i].b)) angles.push_back(static_cast<int>(i));
-  }
-  for (std::size_t i = 0; i < model.dihedrals.size(); ++i) {
-    if (isOf(part, model.dihedrals[i].a)) dihedrals.push_back(static_cast<int>(i));
-  }
-  add(ModelPart::Kind::Angles, "angles", std::move(angles));
-  add(ModelPart::Kind::Dihedrals, "dihedrals", std::move(dihedrals));
 }
 
 // --- what keeps a scene out of a plane ---
@@ -162,21 +127,11 @@ class PlaneCheck {
   std::vector<int> lost_;
 };
 
-template <class T>
-void drop(std::vector<T>& from, const std::vector<int>& items) {
-  std::vector<T> kept;
-  const std::set<int> out(items.begin(), items.end());
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    if (!out.contains(static_cast<int>(i))) kept.push_back(from[i]);
-  }
-  from = std::move(kept);
-}
-
 void leaveOutDamping(Model& model) {
   for (ModelSpring& spring : model.springs) spring.dRelative = spring.dProjected = spring.dampingRatio = 0.0;
 }
 
-void leaveOutAxis(Scene& scene, const ModelPart& part) {
+void leaveOutAxis(Scene& scene, const Simplification& part) {
   scene.model.dimension = part.dimension;
   if (part.dimension == 2) {
     std::array<int, 2> left{};
@@ -203,77 +158,70 @@ std::string leavesPlane(const Scene& scene, int axis, int dimension) {
   return PlaneCheck(scene, dimension == 1 ? std::vector<int>{1, 2} : std::vector<int>{axis}).firstThatLeaves();
 }
 
-std::vector<ModelPart> partsOf(const Scene& scene) {
+std::vector<Simplification> simplificationsOf(const Scene& scene) {
   const Model& model = scene.model;
-  std::vector<ModelPart> parts;
+  std::vector<Simplification> parts;
   const bool hasRods = std::ranges::any_of(model.springs, &ModelSpring::rod);
   if (model.dimension > 1 && !hasRods && leavesPlane(scene, 1, 1).empty()) {
-    ModelPart line{.kind = ModelPart::Kind::Axis, .name = "all but the x axis"};
+    Simplification line{.kind = Simplification::Kind::Axis, .name = "all but the x axis"};
     line.axis = model.dimension == 2 ? model.plane[1] : 2;
     line.dimension = 1;
     parts.push_back(line);
   } else if (model.dimension == 3) {
     for (const int axis : {0, 1, 2}) {
       if (!leavesPlane(scene, axis, 2).empty()) continue;
-      parts.push_back({.kind = ModelPart::Kind::Axis, .name = fmt::format("the {} axis", letters[axis]), .axis = axis});
+      parts.push_back(
+          {.kind = Simplification::Kind::Axis, .name = fmt::format("the {} axis", letters[axis]), .axis = axis});
       break;
     }
   }
   for (std::size_t i = 0; i < model.obstacles.size(); ++i) {
-    ModelPart contact{.kind = ModelPart::Kind::Contact,
-                      .name = fmt::format("contact with '{}'", model.obstacles[i].name)};
+    Simplification contact{.kind = Simplification::Kind::Contact,
+                           .name = fmt::format("contact with '{}'", model.obstacles[i].name)};
     contact.obstacle = i;
     parts.push_back(contact);
   }
   if (std::ranges::any_of(model.springs, isDamped)) {
-    parts.push_back({.kind = ModelPart::Kind::Damping, .name = "damping of springs"});
+    parts.push_back({.kind = Simplification::Kind::Damping, .name = "damping of springs"});
   }
-  if (std::ranges::any_of(model.nodes, [](const ModelNode& node) { return node.drag > 0.0; })) {
-    parts.push_back({.kind = ModelPart::Kind::Drag, .name = "drag"});
+  if (std::ranges::any_of(partsOf(model), [](const ModelPart& part) { return part.name == "drag"; })) {
+    parts.push_back({.kind = Simplification::Kind::Drag, .name = "drag"});
   }
-  for (const Part& part : scene.parts) addLists(scene, part, parts);
+  addElements(scene, parts);
   return parts;
 }
 
-Scene without(const Scene& scene, const std::vector<ModelPart>& parts) {
+Scene without(const Scene& scene, const std::vector<Simplification>& parts) {
   Scene reduced = scene;
-  Model& model = reduced.model;
-  std::vector<int> springs, angles, dihedrals, obstacles;
-  const auto join = [](std::vector<int>& all, const std::vector<int>& more) {
-    all.insert(all.end(), more.begin(), more.end());
-  };
-  for (const ModelPart& part : parts) {
+  std::vector<std::string> named;
+  std::vector<std::size_t> obstacles;
+  for (const Simplification& part : parts) {
     switch (part.kind) {
-      case ModelPart::Kind::Axis:
+      case Simplification::Kind::Axis:
         leaveOutAxis(reduced, part);
         break;
-      case ModelPart::Kind::Contact:
-        obstacles.push_back(static_cast<int>(part.obstacle));
+      case Simplification::Kind::Contact:
+        obstacles.push_back(part.obstacle);
         break;
-      case ModelPart::Kind::Damping:
-        leaveOutDamping(model);
+      case Simplification::Kind::Damping:
+        leaveOutDamping(reduced.model);
         break;
-      case ModelPart::Kind::Drag:
-        for (ModelNode& node : model.nodes) node.drag = 0.0;
+      case Simplification::Kind::Drag:
+        named.emplace_back("drag");
         break;
-      case ModelPart::Kind::Springs:
-        join(springs, part.items);
+      case Simplification::Kind::Elements:
+        named.push_back(part.name);
         break;
-      case ModelPart::Kind::Angles:
-        join(angles, part.items);
-        break;
-      case ModelPart::Kind::Dihedrals:
-        join(dihedrals, part.items);
-        break;
-      case ModelPart::Kind::Motion:
-        pinNodes(model, part.items);
+      case Simplification::Kind::Motion:
+        pinNodes(reduced.model, part.nodes);
         break;
     }
   }
-  drop(model.springs, springs);
-  drop(model.angles, angles);
-  drop(model.dihedrals, dihedrals);
-  drop(model.obstacles, obstacles);
+  reduced.model = withoutParts(reduced.model, named);
+  std::ranges::sort(obstacles, std::greater<>());
+  for (const std::size_t i : obstacles) {
+    reduced.model.obstacles.erase(reduced.model.obstacles.begin() + static_cast<std::ptrdiff_t>(i));
+  }
   return reduced;
 }
 
