@@ -18,13 +18,27 @@ namespace {
 /// Runs a staged fault, then the machine as it should be, for both submissions.
 class Fault : public StagedFault {
  protected:
+  /// Graded until the fault has struck: on a busy machine who is to kill may be late for a process that is short, and
+  /// then the score is the right one.
+  template <class Stage>
+  GradedExercise gradeUnder(Stage stage, const Sources& sources) {
+    constexpr int tries = 5;
+    for (int i = 1;; ++i) {
+      auto staged = std::make_optional(stage());
+      GradedExercise graded = grade(sources);
+      staged.reset();
+      GradedSubmission submission;
+      submission.exercises.push_back(graded);
+      if (i == tries || hasGraderFault(submission)) return graded;
+      expectNothingWrong(graded, sources);
+      remove_all(workplace_.kept);
+    }
+  }
+
   template <class Stage, class Mend>
   void expectOurs(Stage stage, Mend mend) {
     for (const Sources* sources : {&honest(), &wrong()}) {
-      {
-        [[maybe_unused]] const auto staged = stage();
-        expectNoScore(grade(*sources));
-      }
+      expectNoScore(gradeUnder(stage, *sources));
       mend();
       expectUndisturbed(grade(*sources), *sources);
     }
