@@ -1,6 +1,7 @@
 #pragma once
+#include "harness/types.h"
+
 #include <cstddef>
-#include <Eigen/Core>
 
 namespace muelle::engine {
 

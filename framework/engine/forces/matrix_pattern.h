@@ -1,4 +1,6 @@
 #pragma once
+#include "harness/types.h"
+
 #include <cstddef>
 #include <Eigen/SparseCore>
 #include <span>

@@ -193,7 +193,9 @@ std::vector<std::size_t> Looks::some(std::size_t most) const {
 }
 
 StepOptions Pilots::optionsOf(const Setting& setting) const {
-  StepOptions options = lab::optionsOf(withSetting(scene_, setting));
+  const RunOptions whole = lab::optionsOf(withSetting(scene_, setting));
+  const StepOptions& stepping = whole;
+  StepOptions options = stepping;
   if (setting.fixed && !looks_.isDense()) {
     options.h = scene_.duration / static_cast<double>(looks_.stepsOf(setting.value));
   }

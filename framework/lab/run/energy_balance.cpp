@@ -98,7 +98,7 @@ std::optional<StabilityFunctionLoss> linearLoss(const ModelSystem& system, const
 }
 
 /// The highest energy at an end of a step up to `until` [s], less the start's; what is beyond `enough` [J] is enough.
-double highestAtSteps(const ModelSystem& system, const std::string& id, const RunOptions& options, double until,
+double highestAtSteps(const ModelSystem& system, const std::string& id, const StepOptions& options, double until,
                       double enough) {
   const std::unique_ptr<Integrator> method = makeMethod(id);
   Simulation simulation(system, *method, system.initialState(), options);
