@@ -1,5 +1,7 @@
 #include "engine/integrator.h"
 
+#include "engine/integrators/cubic_interpolant.h"
+
 namespace muelle::engine {
 
 namespace {
@@ -13,12 +15,6 @@ double quintic(double theta, double x0, double v0, double a0, double x1, double 
   const double c4 = -15.0 * d + 7.0 * e - f;
   const double c5 = 6.0 * d - 3.0 * e + 0.5 * f;
   return x0 + theta * (v0 + theta * (0.5 * a0 + theta * (c3 + theta * (c4 + theta * c5))));
-}
-
-/// Cubic on [0, 1] from values and slopes at both ends (in units of the step).
-double cubic(double theta, double v0, double a0, double v1, double a1) {
-  const double d = v1 - v0;
-  return v0 + theta * (a0 + theta * (3.0 * d - 2.0 * a0 - a1 + theta * (a0 + a1 - 2.0 * d)));
 }
 
 }  // namespace

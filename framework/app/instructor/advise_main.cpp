@@ -9,6 +9,7 @@
 #include "lab/advise/applied_scene.h"
 #include "lab/run/result_files.h"
 #include "lab/run/shipped_scenes.h"
+#include "lab/run/summary_line.h"
 
 #include <fmt/format.h>
 #include <cstdio>
@@ -35,8 +36,8 @@ struct Command {
 void apply(const Command& command, const std::filesystem::path& file, const Advice& advice) {
   const bool was = std::filesystem::exists(command.apply);
   const AppliedScene applied = writeApplied(file, advice, command.apply);
-  fmt::print("  {:<11} {}{}\n", "applied", command.apply, was ? ", in place of what was there" : "");
-  for (const std::string& part : applied.notSaid) fmt::print("  {:<11} {}\n", "not in it", part);
+  fmt::print("{}", summaryLine("applied", command.apply + (was ? ", in place of what was there" : "")));
+  for (const std::string& part : applied.notSaid) fmt::print("{}", summaryLine("not in it", part));
 }
 
 int advise(const Command& command) {

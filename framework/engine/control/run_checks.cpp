@@ -14,11 +14,15 @@ namespace muelle::engine {
 
 namespace {
 
+template <class... Arguments>
+[[noreturn]] void reject(fmt::format_string<Arguments...> message, Arguments&&... arguments) {
+  throw std::invalid_argument("simulate: " + fmt::format(message, std::forward<Arguments>(arguments)...));
+}
+
 /// The message is put together only when it is needed: short runs would take longer for that than for their steps.
 template <class... Arguments>
 void require(bool holds, fmt::format_string<Arguments...> message, Arguments&&... arguments) {
-  if (holds) return;
-  throw std::invalid_argument("simulate: " + fmt::format(message, std::forward<Arguments>(arguments)...));
+  if (!holds) reject(message, std::forward<Arguments>(arguments)...);
 }
 
 bool isPositive(double value) { return value > 0.0 && std::isfinite(value); }
@@ -92,21 +96,21 @@ void checkSizes(const DynamicalSystem& system, const State& start) {
   const auto size = static_cast<std::size_t>(system.storage());
   require(system.size() > 0, "the system has no unknown");
   if (start.x.size() != size || start.v.size() != size) {
-    require(false, "the state has {} and {}, the system {}", counted(std::ssize(start.x), "position"),
-            counted(std::ssize(start.v), "velocity", "velocities"), counted(system.storage(), "lane"));
+    reject("the state has {} and {}, the system {}", counted(std::ssize(start.x), "position"),
+           counted(std::ssize(start.v), "velocity", "velocities"), counted(system.storage(), "lane"));
   }
   const auto internal = static_cast<std::size_t>(system.internalSize());
   if (!start.z.empty() && start.z.size() != internal) {
-    require(false, "the state has {}, the system {}", counted(std::ssize(start.z), "internal variable"), internal);
+    reject("the state has {}, the system {}", counted(std::ssize(start.z), "internal variable"), internal);
   }
   const std::span<const double> mass = system.mass();
   if (mass.size() != size) {
-    require(false, "{} for {}", counted(std::ssize(mass), "mass", "masses"), counted(system.storage(), "lane"));
+    reject("{} for {}", counted(std::ssize(mass), "mass", "masses"), counted(system.storage(), "lane"));
   }
   for (int i = 0; i < system.size(); ++i) {
     const double m = mass[laneOf(system, i)];
     if (!isPositive(m)) {
-      require(false, "{}: the mass is {} kg; a mass is positive and finite", system.unknownName(i), m);
+      reject("{}: the mass is {} kg; a mass is positive and finite", system.unknownName(i), m);
     }
   }
   require(std::isfinite(start.t), "the start time is not finite");

@@ -242,17 +242,25 @@ void Spring<D>::addDerivatives(const Configuration& at, double cD, double cK, Fo
   }
 }
 
+/// The constraint C = l - L0 of spring i and its gradient at the first node; false where it is none.
 template <int D>
-inline bool Spring<D>::evaluate(std::size_t i, const Configuration& at, Constraint& out) const {
-  const One s = one(i);
+inline bool Spring<D>::deviation(std::size_t i, const One& s, const Configuration& at, double& C, Vector& n) const {
   const Vector d = difference(s, at.x);
   const double L = length<D>(d);
   if (s.k == 0.0 || L == 0.0 || !acts(i, L, at.z)) return false;
   const double l = sign(i, d, at.z) * L;
-  const Vector n = d / l;
+  n = d / l;
+  C = l - s.L0;
+  return true;
+}
+
+template <int D>
+inline bool Spring<D>::evaluate(std::size_t i, const Configuration& at, Constraint& out) const {
+  const One s = one(i);
+  Vector n;
+  if (!deviation(i, s, at, out.value, n)) return false;
   out.kind = Constraint::Kind::Distance;
   out.count = 2 * D;
-  out.value = l - s.L0;
   out.stiffness = s.k;
   out.damping = s.dProjected;
   for (std::size_t c = 0; c < D; ++c) {
@@ -285,12 +293,11 @@ void Spring<D>::project(const Configuration& at, const ConstraintProjection& pro
   for (const int number : alongNodes()) {
     const auto i = static_cast<std::size_t>(number);
     const One s = one(i);
-    const Vector d = difference(s, at.x);
-    const double L = length<D>(d);
-    if (s.k == 0.0 || L == 0.0 || !acts(i, L, at.z)) continue;
-    const double l = sign(i, d, at.z) * L;
-    const Vector n = d / l;
-    projectDistance<D>(local, s.a, s.b, layout_.component, n.data(), l - s.L0, s.k, s.dProjected);
+    double C = 0.0;
+    Vector n;
+    if (deviation(i, s, at, C, n)) {
+      projectDistance<D>(local, s.a, s.b, layout_.component, n.data(), C, s.k, s.dProjected);
+    }
   }
 }
 

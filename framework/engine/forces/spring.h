@@ -113,6 +113,7 @@ class Spring final : public ForceBatch, private StiffnessPiece, private Constrai
   void addByKernel(kernels::Damping damping, const Configuration& at, double* f) const;
   void addPair(double* f, const One& s, const Vector& onA) const;
   const std::vector<int>& alongNodes() const;
+  bool deviation(std::size_t i, const One& s, const Configuration& at, double& C, Vector& n) const;
   bool evaluate(std::size_t i, const Configuration& at, Constraint& out) const;
   Vector difference(const One& s, const double* values) const;
   std::size_t valuesEach() const;  // internal variables of a spring that has any

@@ -11,7 +11,7 @@ void interpolateByVelocities(const State& from, const State& to, double theta, S
   for (std::size_t i = 0; i < from.x.size(); ++i) {
     const double d = to.x[i] - from.x[i], v0 = h * from.v[i], v1 = h * to.v[i];
     const double c2 = 3.0 * d - 2.0 * v0 - v1, c3 = v0 + v1 - 2.0 * d;
-    out.x[i] = from.x[i] + theta * (v0 + theta * (c2 + theta * c3));
+    out.x[i] = cubic(theta, from.x[i], v0, to.x[i], v1);
     out.v[i] = (v0 + theta * (2.0 * c2 + 3.0 * theta * c3)) / h;
   }
 }

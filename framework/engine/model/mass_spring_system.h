@@ -146,8 +146,9 @@ class MassSpringSystem final : public ModelSystem,
   std::vector<StiffnessPiece*> stiffness_;  ///< that of the drag is the last
   std::vector<const LowRankPiece*> lowRank_;
   std::vector<const ConstraintPiece*> constraints_;
-  std::vector<const SwitchingPiece*> switching_, guarded_,
-      thin_;  ///< all; those with guards; those with thin obstacles
+  std::vector<const SwitchingPiece*> switching_;
+  std::vector<const SwitchingPiece*> guarded_;  ///< of these those with guards
+  std::vector<const SwitchingPiece*> thin_;     ///< of these those with thin obstacles
   std::vector<const FrictionPiece*> friction_;
   std::vector<Rod> rods_;
   mutable std::vector<double> scratch_;

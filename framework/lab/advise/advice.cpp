@@ -1,12 +1,11 @@
 #include "lab/advise/advice.h"
 
+#include "lab/advise/countdown.h"
 #include "lab/bench/statistics.h"
-#include "lab/bench/stopwatch.h"
 #include "lab/run/foresight.h"
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
@@ -15,8 +14,6 @@ namespace muelle::lab {
 using namespace engine;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 void checkOptions(const AdviceOptions& options) {
   if (!(options.tolerance > 0.0 && options.tolerance <= 1.0)) {
@@ -32,7 +29,7 @@ void checkOptions(const AdviceOptions& options) {
 /// Shares out the budget over what is done one after the other.
 class Adviser {
  public:
-  Adviser(const Scene& scene, const AdviceOptions& options) : scene_(scene), options_(options), begun_(Clock::now()) {
+  Adviser(const Scene& scene, const AdviceOptions& options) : scene_(scene), options_(options), clock_(options.budget) {
     advice_.tolerance = options.tolerance;
     advice_.budget = options.budget;
   }
@@ -40,13 +37,12 @@ class Adviser {
   Advice give() {
     consider();
     options_.progress(1.0);
-    advice_.seconds = passed();
+    advice_.seconds = clock_.passed();
     return std::move(advice_);
   }
 
  private:
-  double passed() const { return std::chrono::duration<double>(Clock::now() - begun_).count(); }
-  double left() const { return options_.budget - passed(); }
+  double left() const { return clock_.left(); }
 
   void consider() {
     const bool rubs =
@@ -117,11 +113,8 @@ class Adviser {
     constexpr double asFast = 1.25;
     std::vector<double> before, after;
     for (int round = 0; round < 7 && (round == 0 || left() > 0.0); ++round) {
-      const auto timed = [](const Pilots& pilots, const MethodChoice& of) {
-        return bench::secondsOf([&] { pilots.bareSeconds(of.chosen()->setting); }, bench::processorTime, 1e-3);
-      };
-      before.push_back(timed(whole, advice_.whole));
-      after.push_back(timed(rest, choice));
+      before.push_back(whole.bareSeconds(advice_.whole.chosen()->setting));
+      after.push_back(rest.bareSeconds(choice.chosen()->setting));
     }
     advice_.whole.candidates.front().seconds = bench::statisticsOf(before).median;
     choice.candidates.front().seconds = bench::statisticsOf(after).median;
@@ -198,7 +191,7 @@ class Adviser {
 
   const Scene& scene_;
   const AdviceOptions& options_;
-  Clock::time_point begun_;
+  Countdown clock_;
   Advice advice_;
 };
 

@@ -2,6 +2,7 @@
 #include "engine/integrators/catalogue.h"
 #include "lab/advise/advice.h"
 #include "lab/bench/report.h"
+#include "lab/run/summary_line.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -10,8 +11,6 @@
 namespace muelle::lab {
 
 namespace {
-
-std::string line(const char* name, const std::string& text) { return fmt::format("  {:<11} {}\n", name, text); }
 
 std::string durationText(double seconds) { return std::isfinite(seconds) ? bench::timeText(seconds) : "-"; }
 
@@ -38,7 +37,7 @@ std::string rowOf(const Candidate& candidate) {
 std::string wrapped(const char* name, const std::vector<std::string>& items) {
   std::string text, current;
   const auto flush = [&] {
-    text += line(text.empty() ? name : "", current);
+    text += summaryLine(text.empty() ? name : "", current);
     current.clear();
   };
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -83,10 +82,6 @@ std::string leftOut(const std::vector<Candidate>& candidates, Candidate::Fate fa
   return text;
 }
 
-}  // namespace
-
-namespace {
-
 std::string partRow(const PartTrial& trial) {
   const std::string error = std::isfinite(trial.error) ? fmt::format("{:.2g}", trial.error) : "-";
   const std::string saves = trial.measured ? fmt::format("{:.0f} %", 100.0 * (1.0 - trial.timeLeft)) : "-";
@@ -107,13 +102,13 @@ std::string factsText(const Advice& advice) {
   std::string text;
   for (const ClosedForm& form : advice.forms) {
     const std::string error = std::isfinite(form.error) ? fmt::format("error at most about {:.2g}, ", form.error) : "";
-    text += line("fact", form.holds ? fmt::format("{} would do, {}{}", form.name, error, form.why)
-                                    : fmt::format("{} would not do: {}", form.name, form.why));
+    text += summaryLine("fact", form.holds ? fmt::format("{} would do, {}{}", form.name, error, form.why)
+                                           : fmt::format("{} would not do: {}", form.name, form.why));
   }
   if (advice.islands > 1) {
-    text += line("fact",
-                 fmt::format("{} groups of nodes do not act on each other: run apart, each may take steps of its own",
-                             advice.islands));
+    text += summaryLine(
+        "fact", fmt::format("{} groups of nodes do not act on each other: run apart, each may take steps of its own",
+                            advice.islands));
   }
   return text;
 }
@@ -142,29 +137,29 @@ std::string chosenLine(const Advice& advice, const Candidate& chosen) {
 
 std::string adviceText(const engine::Scene& scene, const Advice& advice) {
   std::string text = fmt::format("{}: {}\n", scene.name, scene.title);
-  text += line("asked",
-               fmt::format("an error of at most {:.2g} of the motion over {:.4g} s", advice.tolerance, scene.duration));
+  text += summaryLine(
+      "asked", fmt::format("an error of at most {:.2g} of the motion over {:.4g} s", advice.tolerance, scene.duration));
   if (const Candidate* chosen = advice.chosen(); chosen != nullptr) {
-    text += line("advice", chosenLine(advice, *chosen));
+    text += summaryLine("advice", chosenLine(advice, *chosen));
   } else {
-    text += line("advice", fmt::format("no statement at {:.2g}: {}", advice.tolerance, advice.refusal));
+    text += summaryLine("advice", fmt::format("no statement at {:.2g}: {}", advice.tolerance, advice.refusal));
   }
   if (!advice.reference.how.empty()) {
-    text +=
-        line("held", fmt::format("against {}: the two differ by {:.1g}", advice.reference.how, advice.reference.doubt));
-    text +=
-        line("energy", fmt::format("{} of it above a quarter of the highest frequency, {:.3g} Hz",
-                                   percentText(advice.share.aboveQuarter), advice.share.fastest / 6.283185307179586));
+    text += summaryLine(
+        "held", fmt::format("against {}: the two differ by {:.1g}", advice.reference.how, advice.reference.doubt));
+    text += summaryLine("energy",
+                        fmt::format("{} of it above a quarter of the highest frequency, {:.3g} Hz",
+                                    percentText(advice.share.aboveQuarter), advice.share.fastest / 6.283185307179586));
     std::string costs = fmt::format("an evaluation of the force {}", durationText(advice.costs.evaluation));
     if (advice.costs.factorisation > 0.0) {
       costs += fmt::format(", a step with a factorisation {}", durationText(advice.costs.factorisation));
     }
-    text += line("unit costs", costs);
+    text += summaryLine("unit costs", costs);
   }
   text += partsTable(advice) + factsText(advice) + methodsTable(advice.methods.candidates);
   std::string cost = fmt::format("{:.2g} s of a budget of {:.3g} s", advice.seconds, advice.budget);
   if (advice.whole.outOfTime || advice.methods.outOfTime) cost += ", which ended the search";
-  return text + line("cost", cost);
+  return text + summaryLine("cost", cost);
 }
 
 }  // namespace muelle::lab

@@ -2,6 +2,7 @@
 
 #include "base/text/count.h"
 #include "engine/analysis/linearised_system.h"
+#include "engine/scene/joined_sets.h"
 #include "engine/solve/dense.h"
 #include "lab/advise/method_search.h"
 #include "lab/run/energy_balance.h"
@@ -9,7 +10,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace muelle::lab {
 
@@ -109,11 +109,11 @@ ClosedForm freeFlight(const Pilots& whole, const ReferenceMotion& reference, dou
   PathRows rows;
   const ModelSystem& system = whole.system();
   const State start = system.initialState();
+  std::vector<double> a(start.x.size());
+  system.acceleration(0.0, start.x, start.v, start.z, a);
   for (const double t : reference.run.rows.t) {
     State state = start;
     state.t = t;
-    std::vector<double> a(state.x.size());
-    system.acceleration(0.0, start.x, start.v, start.z, a);
     for (std::size_t i = 0; i < a.size(); ++i) {
       state.x[i] += start.v[i] * t + 0.5 * a[i] * t * t;
       state.v[i] += a[i] * t;
@@ -125,24 +125,10 @@ ClosedForm freeFlight(const Pilots& whole, const ReferenceMotion& reference, dou
                 "x0 + v0 t + g t²/2");
 }
 
-/// Joins nodes into groups.
-class Groups {
- public:
-  explicit Groups(std::size_t nodes) : parent_(nodes) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int rootOf(int node) {
-    while (parent_[static_cast<std::size_t>(node)] != node) node = parent_[static_cast<std::size_t>(node)];
-    return node;
-  }
-  void join(int a, int b) { parent_[static_cast<std::size_t>(rootOf(a))] = rootOf(b); }
-
- private:
-  std::vector<int> parent_;
-};
-
 }  // namespace
 
 std::vector<std::vector<int>> islandsOf(const Model& model) {
-  Groups groups(model.nodes.size());
+  JoinedSets groups(static_cast<int>(model.nodes.size()));
   const auto isMoving = [&](int node) { return isFree(model.nodes[static_cast<std::size_t>(node)]); };
   // What is held passes nothing on.
   const auto join = [&](const std::vector<int>& nodes) {
@@ -163,7 +149,7 @@ std::vector<std::vector<int>> islandsOf(const Model& model) {
   std::vector<int> islandOf(model.nodes.size(), -1);
   for (int node = 0; node < static_cast<int>(model.nodes.size()); ++node) {
     if (!isMoving(node)) continue;
-    int& island = islandOf[static_cast<std::size_t>(groups.rootOf(node))];
+    int& island = islandOf[static_cast<std::size_t>(groups.of(node))];
     if (island < 0) {
       island = static_cast<int>(islands.size());
       islands.emplace_back();

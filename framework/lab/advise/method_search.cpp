@@ -1,12 +1,11 @@
 #include "lab/advise/method_search.h"
 
+#include "lab/advise/countdown.h"
 #include "lab/bench/report.h"
 #include "lab/bench/statistics.h"
-#include "lab/bench/stopwatch.h"
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -15,8 +14,6 @@ namespace muelle::lab {
 using namespace engine;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// A method is not begun when it is foreseen to take so many times the best, for estimates are rough; nor at a setting
 /// that is known to take so many times the best.
@@ -205,8 +202,7 @@ void timeSideBySide(const Pilots& pilots, std::vector<Candidate*> close, const s
   std::vector<std::vector<double>> times(close.size());
   for (int round = 0; round < rounds && left() > 0.0; ++round) {
     for (std::size_t i = 0; i < close.size(); ++i) {
-      const auto run = [&] { pilots.bareSeconds(close[i]->setting); };
-      times[i].push_back(bench::secondsOf(run, bench::processorTime, 1e-3));
+      times[i].push_back(pilots.bareSeconds(close[i]->setting));
     }
   }
   for (std::size_t i = 0; i < close.size(); ++i) {
@@ -267,9 +263,8 @@ const Candidate* MethodChoice::chosen() const {
 MethodChoice chooseMethod(const Pilots& pilots, const Pilots& whole, const ReferenceMotion& reference,
                           const std::vector<MethodEstimate>& estimates, double tolerance, double seconds,
                           const std::function<void(double)>& progress) {
-  const Clock::time_point begun = Clock::now();
-  const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - begun).count(); };
-  const auto left = [&] { return 0.85 * seconds - passed(); };
+  const Countdown clock(seconds);
+  const auto left = [&] { return clock.left() - 0.15 * seconds; };
   MethodChoice choice;
   // The reference's own run keeps the tolerance: nothing slower is of use.
   double best = reference.run.seconds;
@@ -301,7 +296,7 @@ MethodChoice chooseMethod(const Pilots& pilots, const Pilots& whole, const Refer
   for (Candidate& candidate : choice.candidates) {
     if (candidate.keeps() && candidate.seconds <= 2.0 * best) close.push_back(&candidate);
   }
-  timeSideBySide(pilots, close, [&] { return seconds - passed(); });
+  timeSideBySide(pilots, close, [&] { return clock.left(); });
   sortByTime(choice.candidates);
   while (!choice.candidates.empty() && choice.candidates.front().keeps()) {
     Candidate& cheapest = choice.candidates.front();
@@ -314,7 +309,7 @@ MethodChoice chooseMethod(const Pilots& pilots, const Pilots& whole, const Refer
   if (!choice.candidates.empty() && choice.candidates.front().keeps()) {
     choice.candidates.front().fate = Candidate::Fate::Chosen;
   }
-  choice.seconds = passed();
+  choice.seconds = clock.passed();
   return choice;
 }
 

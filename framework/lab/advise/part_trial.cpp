@@ -1,13 +1,13 @@
 #include "lab/advise/part_trial.h"
 
+#include "engine/model/axes.h"
+#include "lab/advise/countdown.h"
 #include "lab/advise/method_search.h"
 #include "lab/bench/statistics.h"
-#include "lab/bench/stopwatch.h"
 #include "lab/run/energy_balance.h"
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <random>
 
@@ -25,18 +25,6 @@ constexpr std::size_t mostStates = 60;
 
 /// A disturbance that grows more is not left to chance.
 constexpr double mostGrowth = 100.0;
-
-class Countdown {
- public:
-  explicit Countdown(double seconds) : seconds_(seconds), begun_(std::chrono::steady_clock::now()) {}
-  double left() const {
-    return seconds_ - std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
-  }
-
- private:
-  double seconds_;
-  std::chrono::steady_clock::time_point begun_;
-};
 
 /// The most negative stiffness of a mode along an axis at any of the states, in parts of the largest; with the time.
 struct Buckling {
@@ -123,9 +111,8 @@ class Trials {
     if (!refusalOf(pilots.system(), timing_.method).empty()) return;
     std::vector<double> ratios;
     for (int round = 0; round < 5 && (round == 0 || clock_.left() > 0.0); ++round) {
-      const double with = bench::secondsOf([&] { whole_.bareSeconds(timing_); }, bench::processorTime, 1e-3);
-      const double rest = bench::secondsOf([&] { pilots.bareSeconds(timing_); }, bench::processorTime, 1e-3);
-      ratios.push_back(rest / with);
+      const double with = whole_.bareSeconds(timing_);
+      ratios.push_back(pilots.bareSeconds(timing_) / with);
     }
     trial.timeLeft = bench::statisticsOf(ratios).median;
     trial.measured = true;
@@ -186,9 +173,9 @@ class Trials {
     return true;
   }
   std::vector<int> acrossX() const {
-    const Model& model = whole_.scene().model;
-    if (model.dimension == 3) return {1, 2};
-    return {model.plane[0] == 0 ? model.plane[1] : model.plane[0]};
+    std::vector<int> axes = axesOf(whole_.scene().model);
+    std::erase(axes, 0);
+    return axes;
   }
 
   const Pilots& whole_;

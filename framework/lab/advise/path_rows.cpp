@@ -1,5 +1,7 @@
 #include "lab/advise/path_rows.h"
 
+#include "engine/model/axes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -25,10 +27,8 @@ double largestNodeGap(const std::vector<double>& a, const std::vector<double>& b
 Vec3 placeOf(const ModelSystem& system, const State& state, int node) {
   const Vec3 moved = system.position(state, node);
   const Model& model = system.model();
-  if (model.dimension == 3) return moved;
   Vec3 place = model.nodes[static_cast<std::size_t>(node)].x;
-  place[0] = model.dimension == 1 ? moved[0] : place[0];
-  for (const int c : model.plane) place[c] = model.dimension == 2 ? moved[c] : place[c];
+  for (const int c : axesOf(model)) place[c] = moved[c];
   return place;
 }
 

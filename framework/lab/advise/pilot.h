@@ -82,7 +82,8 @@ class Pilots {
   PilotRun run(const Setting& setting, const PilotLimits& limits) const;
   /// The state at t [s], not before `from`, by steps from there as this setting takes them.
   State advance(const Setting& setting, const State& from, double t) const;
-  /// Seconds of the processor of a run as the scene asks for it: nothing is compared, its outputs are made.
+  /// Seconds of the processor of a run as the scene asks for it: nothing is compared, its outputs are made. Runs that
+  /// are shorter than a millisecond are repeated.
   double bareSeconds(const Setting& setting) const;
   /// Seconds of a step of h [s] from the start, by a few of them.
   double secondsOfStep(const std::string& method, double h) const;
@@ -90,6 +91,7 @@ class Pilots {
  private:
   engine::StepOptions optionsOf(const Setting& setting) const;
   std::vector<double> outputTimes() const;
+  void runBare(const Setting& setting) const;
   void follow(const engine::StepOptions& options, const std::vector<double>& looks, const PilotLimits& limits,
               PilotRun& run) const;
 

@@ -1,10 +1,10 @@
 #include "lab/advise/reference_motion.h"
 
 #include "engine/model/axes.h"
+#include "lab/advise/countdown.h"
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -14,8 +14,6 @@ namespace muelle::lab {
 using namespace engine;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr double finestTolerance = 1e-13;
 
@@ -48,7 +46,7 @@ std::vector<Sources> sourcesFor(const Pilots& pilots, double tolerance) {
 class ReferenceSearch {
  public:
   ReferenceSearch(const Pilots& pilots, double tolerance, double seconds)
-      : pilots_(pilots), tolerance_(tolerance), seconds_(seconds), begin_(Clock::now()) {}
+      : pilots_(pilots), tolerance_(tolerance), clock_(seconds) {}
 
   ReferenceMotion find() {
     found_.failure = "no method makes a reference";
@@ -67,10 +65,8 @@ class ReferenceSearch {
   }
 
  private:
-  double left() const { return seconds_ - std::chrono::duration<double>(Clock::now() - begin_).count(); }
-
   PilotRun take(const Setting& setting, double share = 1.0) {
-    PilotRun run = pilots_.run(setting, {.seconds = std::max(0.0, share * left()), .isReference = true});
+    PilotRun run = pilots_.run(setting, {.seconds = std::max(0.0, share * clock_.left()), .isReference = true});
     spent_ += run.seconds;
     return run;
   }
@@ -155,8 +151,8 @@ class ReferenceSearch {
   }
 
   const Pilots& pilots_;
-  double tolerance_, seconds_;
-  Clock::time_point begin_;
+  double tolerance_;
+  Countdown clock_;
   double firstShare_ = 1.0, spent_ = 0.0;
   double lastApart_ = 0.0;  // of the pair before; 0: none
   int stays_ = 0;           // pairs in a row that did not come nearer

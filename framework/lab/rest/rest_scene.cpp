@@ -1,5 +1,7 @@
 #include "lab/rest/rest_scene.h"
 
+#include "lab/run/summary_line.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
@@ -14,8 +16,6 @@ using namespace engine;
 namespace {
 
 constexpr std::size_t shownNodes = 6;
-
-std::string line(const char* name, const std::string& text) { return fmt::format("  {:<11} {}\n", name, text); }
 
 std::string counted(std::size_t count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
@@ -132,25 +132,25 @@ std::string tensionLines(const Model& model, const RestResult& result) {
   }
   if (!any) return {};
   const std::size_t idle = result.tensions.size() - pulling - pushing;
-  if (pulling + pushing == 0) return line("tensions", "none: every spring has its rest length");
+  if (pulling + pushing == 0) return summaryLine("tensions", "none: every spring has its rest length");
   std::string text;
   const auto add = [&](std::size_t i) {
-    text += line(text.empty() ? "tensions" : "", fmt::format("{:.6g} N, {}{}", result.tensions[i],
-                                                             result.tensions.size() == 1 ? ""
-                                                             : i == most                 ? "the largest: "
-                                                                                         : "the least: ",
-                                                             springName(model, i)));
+    text += summaryLine(text.empty() ? "tensions" : "", fmt::format("{:.6g} N, {}{}", result.tensions[i],
+                                                                    result.tensions.size() == 1 ? ""
+                                                                    : i == most                 ? "the largest: "
+                                                                                                : "the least: ",
+                                                                    springName(model, i)));
   };
   add(most);
   if (least != most) add(least);
   if (result.tensions.size() > 1) {
     std::string count = fmt::format("{} pull, {} push", pulling, pushing);
     if (idle > 0) count += fmt::format(", {} do neither", idle);
-    text += line("", count);
+    text += summaryLine("", count);
   }
   if (result.unknownTensions > 0) {
-    text += line("", fmt::format("{} solved for beside the positions; lengths L0 + T/k met to {:.1g} m",
-                                 result.unknownTensions, result.lengthError));
+    text += summaryLine("", fmt::format("{} solved for beside the positions; lengths L0 + T/k met to {:.1g} m",
+                                        result.unknownTensions, result.lengthError));
   }
   return text;
 }
@@ -175,7 +175,7 @@ std::string notes(const Scene& scene, const SceneAtRest& rest) {
   const RestResult& result = rest.result;
   const Model& model = scene.model;
   std::string text;
-  const auto note = [&](const std::string& what) { text += line("note", what); };
+  const auto note = [&](const std::string& what) { text += summaryLine("note", what); };
   if (changesWithTime(model)) {
     note(fmt::format("what changes with time is taken as it is at {:.6g} s; --at SECONDS takes another time",
                      rest.options.time));
@@ -235,18 +235,18 @@ std::string nameOf(Verdict verdict) {
 std::string summaryOf(const Scene& scene, const SceneAtRest& rest) {
   const RestResult& result = rest.result;
   std::string text = fmt::format("{}: {}\n", scene.name, scene.title);
-  text += line("scene", sizeLine(scene, rest));
-  for (const std::string& warning : scene.warnings) text += line("warning", warning);
-  text += line("verdict", verdictLine(rest));
+  text += summaryLine("scene", sizeLine(scene, rest));
+  for (const std::string& warning : scene.warnings) text += summaryLine("warning", warning);
+  text += summaryLine("verdict", verdictLine(rest));
   const bool hasEigenvalue = result.isFound() && result.verdict != Verdict::Unsure;
-  if (hasEigenvalue) text += line("eigenvalue", eigenvalueLine(result));
+  if (hasEigenvalue) text += summaryLine("eigenvalue", eigenvalueLine(result));
   if (result.isFound() || result.verdict == Verdict::NoneFound) {
-    text += line("balance", balanceLine(result));
+    text += summaryLine("balance", balanceLine(result));
     text += tensionLines(scene.model, result);
-    text += line("energy", fmt::format("{:.9g} J", result.energy));
-    text += line("moved", fmt::format("{:.4g} m at most from the scene's start", result.furthest));
+    text += summaryLine("energy", fmt::format("{:.9g} J", result.energy));
+    text += summaryLine("moved", fmt::format("{:.4g} m at most from the scene's start", result.furthest));
   }
-  if (result.work.factorisations > 0) text += line("work", workLine(result.work));
+  if (result.work.factorisations > 0) text += summaryLine("work", workLine(result.work));
   return text + notes(scene, rest);
 }
 

@@ -1,6 +1,7 @@
 #include "lab/run/result_files.h"
 
 #include "figures/write.h"
+#include "lab/run/summary_line.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +9,9 @@ namespace muelle::lab {
 
 namespace {
 
-void nameFile(const char* kind, const std::filesystem::path& file) { fmt::print("  {:<11} {}\n", kind, file.string()); }
+void nameFile(const char* kind, const std::filesystem::path& file) {
+  fmt::print("{}", summaryLine(kind, file.string()));
+}
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include "engine/model/parts.h"
 #include "engine/model/singular_points.h"
 #include "engine/scene/selection.h"
+#include "lab/run/summary_line.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -30,8 +31,6 @@ double positiveOption(const char* option, const char* unit, double value) {
 bool isFixed(const Scene& scene) { return !methodInfo(scene.method).adaptive || !scene.tolerance; }
 
 // --- lines of the summary ---
-
-std::string line(const char* name, const std::string& text) { return fmt::format("  {:<11} {}\n", name, text); }
 
 std::string stepLine(const Scene& scene, const SceneRun& run) {
   const Work& work = run.result.work;
@@ -84,7 +83,7 @@ std::string outputErrorLines(const Scene& scene, const ErrorEstimate& estimate) 
   for (const SceneOutput& output : scene.outputs) {
     if (output.kind == SceneOutput::Kind::Path || i >= estimate.outputs.size()) continue;
     const char* unit = output.kind == SceneOutput::Kind::Velocity ? "m/s" : "m";
-    text += line("", fmt::format("{}: {}", output.name, part(estimate.outputs[i++], unit)));
+    text += summaryLine("", fmt::format("{}: {}", output.name, part(estimate.outputs[i++], unit)));
   }
   return text;
 }
@@ -246,9 +245,9 @@ std::string workOfParts(const SceneRun& run) {
   std::string text;
   for (const ModelPart& part : partsOf(run.system->model())) {
     const long long evaluated = part.elements * run.result.work.forceEvaluations;
-    text += line(text.empty() ? "parts" : "",
-                 fmt::format("{}: {}, {}", printableLine(part.name), countedInGroups(part.elements, "element"),
-                             countedInGroups(evaluated, "evaluation")));
+    text += summaryLine(text.empty() ? "parts" : "",
+                        fmt::format("{}: {}, {}", printableLine(part.name), countedInGroups(part.elements, "element"),
+                                    countedInGroups(evaluated, "evaluation")));
   }
   return text;
 }
@@ -256,25 +255,26 @@ std::string workOfParts(const SceneRun& run) {
 std::string summaryOf(const Scene& scene, const SceneRun& run) {
   const RunResult& result = run.result;
   std::string text = fmt::format("{}: {}\n", scene.name, scene.title);
-  if (run.energy.fails()) text += line("FAILED", energyFailure(run.energy));
-  text += line("scene", sizeLine(scene, run));
-  for (const std::string& warning : scene.warnings) text += line("warning", warning);
-  text += line("method", fmt::format("{}, order {}", run.method.name, run.method.order));
-  text += line("step", stepLine(scene, run));
-  text += line("time", timeLine(run));
-  text += line("error", errorLine(run));
+  if (run.energy.fails()) text += summaryLine("FAILED", energyFailure(run.energy));
+  text += summaryLine("scene", sizeLine(scene, run));
+  for (const std::string& warning : scene.warnings) text += summaryLine("warning", warning);
+  text += summaryLine("method", fmt::format("{}, order {}", run.method.name, run.method.order));
+  text += summaryLine("step", stepLine(scene, run));
+  text += summaryLine("time", timeLine(run));
+  text += summaryLine("error", errorLine(run));
   if (run.error && run.error->failure.empty()) text += outputErrorLines(scene, *run.error);
-  text += line("energy", energyLine(run.energy));
-  if (const std::string loss = energyLoss(run.energy); !loss.empty()) text += line("loss", loss);
-  text += line("work", workLine(result.work));
+  text += summaryLine("energy", energyLine(run.energy));
+  if (const std::string loss = energyLoss(run.energy); !loss.empty()) text += summaryLine("loss", loss);
+  text += summaryLine("work", workLine(result.work));
   for (std::size_t i = 0; i < std::min(result.warnings.size(), shownWarnings); ++i) {
-    text += line("warning", result.warnings[i]);
+    text += summaryLine("warning", result.warnings[i]);
   }
   for (std::size_t i = 0; i < std::min(result.events.size(), shownEvents); ++i) {
-    text += line(i == 0 ? "events" : "", fmt::format("{:.6g} s: {}", result.events[i].t, result.events[i].what));
+    text += summaryLine(i == 0 ? "events" : "", fmt::format("{:.6g} s: {}", result.events[i].t, result.events[i].what));
   }
   if (result.work.events > static_cast<long long>(shownEvents)) {
-    text += line("", fmt::format("and {} more", grouped(result.work.events - static_cast<long long>(shownEvents))));
+    text +=
+        summaryLine("", fmt::format("and {} more", grouped(result.work.events - static_cast<long long>(shownEvents))));
   }
   return text;
 }

@@ -27,9 +27,7 @@ class Fault : public StagedFault {
       auto staged = std::make_optional(stage());
       GradedExercise graded = grade(sources);
       staged.reset();
-      GradedSubmission submission;
-      submission.exercises.push_back(graded);
-      if (i == tries || hasGraderFault(submission)) return graded;
+      if (i == tries || hasGraderFault(graded)) return graded;
       expectNothingWrong(graded, sources);
       remove_all(workplace_.kept);
     }

@@ -54,9 +54,7 @@ GradedExercise StagedFault::grade(const Sources& sources, std::unique_ptr<Sandbo
 }
 
 void StagedFault::expectNoScore(const GradedExercise& graded) {
-  GradedSubmission submission;
-  submission.exercises.push_back(graded);
-  EXPECT_TRUE(hasGraderFault(submission));
+  EXPECT_TRUE(hasGraderFault(graded));
   double sum = 0.0;
   for (const Criterion& criterion : graded.manifest.criteria) sum += score(criterion, graded).value_or(0.0);
   const bool wasBuilt = graded.build.status == BuildOutcome::Status::Built;

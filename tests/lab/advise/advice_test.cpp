@@ -2,6 +2,7 @@
 
 #include "lab/advise/advice_figure.h"
 #include "lab/run/run_scene.h"
+#include "spring_scene.h"
 
 #include <gmock/gmock.h>
 #include <algorithm>
@@ -18,21 +19,6 @@ using ::testing::HasSubstr;
 
 Scene shipped(const std::string& name) { return readScene(std::filesystem::path(MUELLE_SCENES) / (name + ".toml")); }
 
-/// x(t) = L0 + 0.2 cos 10 t of the test below.
-Scene spring() {
-  Scene scene;
-  scene.name = "spring";
-  scene.model.dimension = 1;
-  scene.model.nodes.resize(2);
-  scene.model.nodes[0].pinned = true;
-  scene.model.nodes[1].x = {1.2, 0.0, 0.0};
-  scene.model.springs = {{0, 1, 100.0, 1.0}};
-  scene.method = "velocity_verlet";
-  scene.step = 0.01;
-  scene.duration = 6.3;
-  return scene;
-}
-
 const Candidate* candidateIn(const std::vector<Candidate>& all, const std::string& method) {
   const auto place = std::ranges::find(all, method, [](const Candidate& c) { return c.setting.name(); });
   return place == all.end() ? nullptr : &*place;
@@ -41,7 +27,7 @@ const Candidate* candidateIn(const std::vector<Candidate>& all, const std::strin
 /// The advised run against the analytic solution at each end of a step, in parts of 0.4 m and 2 m/s.
 TEST(Advice, TheRunIsAsExactAsWasSaid) {
   for (const double tolerance : {1e-1, 1e-3, 1e-5, 1e-8}) {
-    const Advice advice = advise(spring(), {.tolerance = tolerance, .budget = 60.0});
+    const Advice advice = advise(springScene(6.3), {.tolerance = tolerance, .budget = 60.0});
     ASSERT_NE(advice.chosen(), nullptr) << advice.refusal;
     EXPECT_LE(advice.chosen()->error, tolerance);
     const SceneRun run = runScene(advice.scene);
@@ -61,7 +47,7 @@ TEST(Advice, TheRunIsAsExactAsWasSaid) {
 /// At 1e-8 velocity Verlet would need 20 times as many steps as at the 2.5e-5 that it is off with h w = 0.003: whatever
 /// the machine, a method of order 8 or 12 is far cheaper.
 TEST(Advice, HighOrderIsTakenForSmallErrors) {
-  const Advice advice = advise(spring(), {.tolerance = 1e-8, .budget = 60.0});
+  const Advice advice = advise(springScene(6.3), {.tolerance = 1e-8, .budget = 60.0});
   ASSERT_NE(advice.chosen(), nullptr);
   EXPECT_GE(advice.chosen()->estimate.order, 8);
   const Candidate* verlet = candidateIn(advice.methods.candidates, "velocity_verlet");
@@ -72,11 +58,11 @@ TEST(Advice, HighOrderIsTakenForSmallErrors) {
 
 /// All of the oscillator's energy is in its one mode, which is the fastest: 10 rad/s.
 TEST(Advice, ThePilotNumberIsTheShareOfFastModes) {
-  const Advice one = advise(spring(), {.tolerance = 1e-3, .budget = 60.0});
+  const Advice one = advise(springScene(6.3), {.tolerance = 1e-3, .budget = 60.0});
   EXPECT_NEAR(one.share.fastest, 10.0, 0.01);
   EXPECT_NEAR(one.share.aboveQuarter, 1.0, 1e-9);
   // A second oscillator, at rest and ten times as fast, leaves it all below a quarter.
-  Scene scene = spring();
+  Scene scene = springScene(6.3);
   scene.model.nodes.resize(4);
   scene.model.nodes[2].x = {3.0, 0.0, 0.0};
   scene.model.nodes[2].pinned = true;
@@ -88,7 +74,7 @@ TEST(Advice, ThePilotNumberIsTheShareOfFastModes) {
 }
 
 TEST(Advice, UnfitMethodsAreNamedWithTheReason) {
-  Scene scene = spring();
+  Scene scene = springScene(6.3);
   scene.model.springs[0].dProjected = 0.5;
   const Advice advice = advise(scene, {.tolerance = 1e-3, .budget = 60.0});
   const Candidate* nystrom = candidateIn(advice.whole.candidates, "nystrom8");
@@ -109,7 +95,7 @@ TEST(Advice, NothingIsSaidOfAChaoticScene) {
 }
 
 TEST(Advice, NothingIsSaidWhereNothingMovesOrFrictionFallsBetweenSteps) {
-  Scene still = spring();
+  Scene still = springScene(6.3);
   still.model.nodes[1].x = {1.0, 0.0, 0.0};
   EXPECT_EQ(advise(still, {.tolerance = 1e-3, .budget = 2.0}).refusal, "nothing moves");
   EXPECT_THAT(advise(shipped("jelly_box"), {.tolerance = 1e-2, .budget = 2.0}).refusal, HasSubstr("set events = true"));
@@ -128,14 +114,14 @@ TEST(Advice, OptionsThatMakeNoSenseAreNamed) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double tolerance : {0.0, -1e-3, 1.5, nan}) {
     try {
-      advise(spring(), {.tolerance = tolerance});
+      advise(springScene(6.3), {.tolerance = tolerance});
       ADD_FAILURE() << tolerance;
     } catch (const std::invalid_argument& error) {
       EXPECT_THAT(error.what(), HasSubstr("--tolerance is"));
     }
   }
-  EXPECT_THROW(advise(spring(), {.tolerance = 1e-3, .budget = 0.0}), std::invalid_argument);
-  EXPECT_THROW(advise(spring(), {.tolerance = 1e-3, .budget = nan}), std::invalid_argument);
+  EXPECT_THROW(advise(springScene(6.3), {.tolerance = 1e-3, .budget = 0.0}), std::invalid_argument);
+  EXPECT_THROW(advise(springScene(6.3), {.tolerance = 1e-3, .budget = nan}), std::invalid_argument);
 }
 
 /// Contact, friction with events, rods, a moved node: whatever a scene has, its run is as exact as was said, or there

@@ -1,6 +1,7 @@
 #include "lab/advise/pilot.h"
 
 #include "lab/advise/reference_motion.h"
+#include "spring_scene.h"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -11,23 +12,8 @@ namespace muelle::lab {
 using namespace engine;
 namespace {
 
-/// x'' = -100 (x - 1), from 0.2 m beyond rest: 1 + 0.2 cos 10 t.
-Scene oscillator() {
-  Scene scene;
-  scene.name = "oscillator";
-  scene.model.dimension = 1;
-  scene.model.nodes.resize(2);
-  scene.model.nodes[0].pinned = true;
-  scene.model.nodes[1].x = {1.2, 0.0, 0.0};
-  scene.model.springs = {{0, 1, 100.0, 1.0}};
-  scene.method = "velocity_verlet";
-  scene.step = 0.01;
-  scene.duration = 5.0;
-  return scene;
-}
-
 TEST(Looks, StepsAreHardlyShorterAndSomeEndAtTheTimes) {
-  const Scene scene = oscillator();
+  const Scene scene = springScene(5.0);
   const Looks looks(scene);
   for (double h = 2.5; h > 1e-4; h *= 0.83) {
     const auto steps = static_cast<double>(looks.stepsOf(h));
@@ -47,7 +33,7 @@ TEST(Looks, StepsAreHardlyShorterAndSomeEndAtTheTimes) {
 /// motion of 0.4 m, and likewise for the velocity. Phase: w t (h w)^2 / 24 = 50 * 0.0004 / 24 = 8.3e-4 at h w = 0.02,
 /// which is the error of the velocity (its largest is w 0.2) where the phase is right.
 TEST(Pilots, TheErrorOfVerletIsThatOfItsFrequency) {
-  const Scene scene = oscillator();
+  const Scene scene = springScene(5.0);
   const std::unique_ptr<ModelSystem> system = build(scene.model);
   const Pilots pilots(scene, *system);
   const ReferenceMotion reference = findReference(pilots, 1e-6, 10.0);
@@ -62,7 +48,7 @@ TEST(Pilots, TheErrorOfVerletIsThatOfItsFrequency) {
 }
 
 TEST(Pilots, AnAdaptiveRunIsComparedAtItsOwnEndsOfSteps) {
-  const Scene scene = oscillator();
+  const Scene scene = springScene(5.0);
   const std::unique_ptr<ModelSystem> system = build(scene.model);
   const Pilots pilots(scene, *system);
   const ReferenceMotion reference = findReference(pilots, 1e-8, 10.0);
@@ -79,7 +65,7 @@ TEST(Pilots, AnAdaptiveRunIsComparedAtItsOwnEndsOfSteps) {
 }
 
 TEST(Pilots, ARunThatTakesTooLongIsGivenUp) {
-  Scene scene = oscillator();
+  Scene scene = springScene(5.0);
   scene.duration = 5e4;
   const std::unique_ptr<ModelSystem> system = build(scene.model);
   const PilotRun run = Pilots(scene, *system).run({"velocity_verlet", true, 1e-4}, {.seconds = 0.02});

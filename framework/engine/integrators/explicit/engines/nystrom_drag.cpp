@@ -30,12 +30,10 @@ void NystromDrag::prepare(const DynamicalSystem& system, const Tolerance& tolera
   if (uniform_) std::fill(rate_.begin(), rate_.end(), most);
   factors_.resize(c_.size() * kinds());
   h_ = 0.0;
-  memory_.assign(sums_.size() * n, 0.0);
-  g_.resize(sums_.size());
-  for (std::size_t j = 0; j < g_.size(); ++j) g_[j] = memory_.data() + n * j;
-  for (StageSum& sum : sums_) sum.readFrom(g_);
-  end_.readFrom(g_);
-  error_.readFrom(g_);
+  g_.assign(sums_.size(), n);
+  for (StageSum& sum : sums_) sum.readFrom(g_.begins());
+  end_.readFrom(g_.begins());
+  error_.readFrom(g_.begins());
   for (std::vector<double>* array : {&x_, &y_, &v_, &ye_, &ve_, &zeros_, &dx_, &dv_, &last_, &kept_})
     array->assign(n, 0.0);
   restart();
@@ -71,9 +69,9 @@ void NystromDrag::provideFirst(const DynamicalSystem& system, const State& from,
   accepted_ = endKnown_ = false;
   endMark_.clear();
   if (goesOn) {
-    std::copy(last_.begin(), last_.end(), g_[0]);
+    std::copy(last_.begin(), last_.end(), g_.data(0));
   } else if (!again) {
-    system.drag()->accelerationWithoutDrag(from.t, from.x, from.v, from.z, {g_[0], rate_.size()});
+    system.drag()->accelerationWithoutDrag(from.t, from.x, from.v, from.z, g_[0]);
     ++work.forceEvaluations;
   }
   startMark_.set(from);
@@ -93,7 +91,7 @@ double NystromDrag::advance(const DynamicalSystem& system, const State& from, do
       v_[i] = from.v[i];
     }
     const double t = from.t + c_[j] * h;
-    const Out a(g_[j], n);
+    const Out a = g_[j];
     system.place(t, from.z, x_, v_);
     system.drag()->accelerationWithoutDrag(t, x_, v_, from.z, a);
     ++work.forceEvaluations;
@@ -135,7 +133,7 @@ void NystromDrag::increments(State& increment) const {
 void NystromDrag::inside(const DynamicalSystem& system, const State& from, double h, const ErrorScale& scale,
                          State& out, Work& work) {
   if (!startMark_.matches(from)) {
-    system.drag()->accelerationWithoutDrag(from.t, from.x, from.v, from.z, {g_[0], rate_.size()});
+    system.drag()->accelerationWithoutDrag(from.t, from.x, from.v, from.z, g_[0]);
     ++work.forceEvaluations;
     startMark_.set(from);
   }

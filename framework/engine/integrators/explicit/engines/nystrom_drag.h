@@ -1,4 +1,5 @@
 #pragma once
+#include "engine/integrators/explicit/engines/lane_arrays.h"
 #include "engine/integrators/explicit/engines/stage_sum.h"
 #include "engine/integrators/explicit/engines/state_mark.h"
 #include "engine/integrators/explicit/engines/step_finish.h"
@@ -59,8 +60,7 @@ class NystromDrag {
   bool uniform_ = false;      ///< one c for all unknowns
   double h_ = 0.0;            ///< of the factors
   std::vector<Factors> factors_;
-  std::vector<double> memory_;
-  std::vector<double*> g_;  ///< right-hand sides of y'' of each stage
+  LaneArrays g_;  ///< right-hand sides of y'' of each stage
   std::vector<double> x_, y_, v_, ye_, ve_, zeros_, dx_, dv_;
   std::vector<double> last_, kept_;  ///< acceleration at the end of the step
   StateMark startMark_, endMark_;
