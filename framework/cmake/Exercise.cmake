@@ -54,6 +54,26 @@ ${MUELLE_SANITIZER_LINK_FLAG}
 ")
 endfunction()
 
+# The solution as one object, compiled as a student's file is: a criterion that follows a lower function may be judged
+# with the solution's in the place of the student's. An exercise without a solution does without.
+function(muelle_reference topic)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/solutions/${topic}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  set(object ${CMAKE_BINARY_DIR}/lib/reference_${topic}.o)
+  add_custom_command(
+    OUTPUT ${object}
+    COMMAND ${CMAKE_CXX_COMPILER} ${MUELLE_STUDENT_FLAGS} -I${CMAKE_SOURCE_DIR}/framework
+            -I${CMAKE_SOURCE_DIR}/exercises/${topic} -isystem ${MUELLE_EIGEN_INCLUDE}
+            -include ${CMAKE_SOURCE_DIR}/framework/harness/exercise.h -r -nostdlib ${sources} -o ${object}
+    DEPENDS ${sources} ${CMAKE_SOURCE_DIR}/exercises/${topic}/${topic}.h ${CMAKE_BINARY_DIR}/prelude/prelude.h.gch
+    COMMENT "Compiling the solution of ${topic} for grading"
+    VERBATIM)
+  add_custom_target(reference_${topic} DEPENDS ${object})
+  add_dependencies(muelle_grading reference_${topic})
+endfunction()
+
 # For the grader: the worker's trusted half, and the hidden tests with the demo compiled for the submission (through
 # the worker) and for the oracle.
 function(muelle_grading_parts topic)
@@ -68,6 +88,7 @@ function(muelle_grading_parts topic)
                              MUELLE_FUNCTIONS_HEADER="grader/worker/dispatch_functions.h" ${MUELLE_FILL_DEFINE})
   set_target_properties(glue_${topic} PROPERTIES ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
 
+  muelle_reference(${topic})
   muelle_role_library(reference_demo_${topic} ${topic} grader/remote/oracle_functions.h ${folder}/demo.cpp)
   target_compile_definitions(reference_demo_${topic} PRIVATE MUELLE_DEMO_NAME=muelleReferenceDemo)
 
@@ -81,7 +102,7 @@ function(muelle_grading_parts topic)
   # Calls to the worker are templates of some size: compiled once, beside the history of calls that mistakes read.
   set_source_files_properties(${hidden}/mistakes.cpp TARGET_DIRECTORY hidden_${topic}
                               PROPERTIES COMPILE_DEFINITIONS MUELLE_REMOTE_CALLS_HERE)
-  set_source_files_properties(${hidden}/${topic}_test.cpp ${folder}/demo.cpp TARGET_DIRECTORY hidden_${topic}
+  set_source_files_properties(${hidden}/${topic}_test.cpp ${hidden}/oracle.cpp ${folder}/demo.cpp TARGET_DIRECTORY hidden_${topic}
                               PROPERTIES COMPILE_DEFINITIONS MUELLE_REMOTE_CALLS_ELSEWHERE)
   set_target_properties(hidden_${topic} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/hidden)
   add_dependencies(muelle_grading hidden_${topic} glue_${topic})

@@ -30,8 +30,19 @@ bool isSourceName(const std::string& name) {
   return name.size() > 4 && name.ends_with(".cpp") && isIdentifier(name.substr(0, name.size() - 4));
 }
 
+/// A criterion cannot be earned in spite of the function that it judges.
+std::vector<std::string> readFollows(const TomlTable& table, const Criterion& criterion) {
+  if (!table.has("follows")) return {};
+  const std::vector<std::string> follows = table.texts("follows", isIdentifier, "the name of a function");
+  for (const std::string& function : follows) {
+    if (std::ranges::find(criterion.functions, function) == criterion.functions.end()) continue;
+    table.fail("follows", fmt::format("'{}' stands in functions: this criterion judges it", function));
+  }
+  return follows;
+}
+
 Criterion readCriterion(const TomlTable& table) {
-  table.checkKeys({"name", "suite", "points", "partial", "functions", "hint"},
+  table.checkKeys({"name", "suite", "points", "partial", "functions", "follows", "hint"},
                   {"name", "suite", "points", "functions", "hint"});
   Criterion criterion;
   criterion.name = table.text("name");
@@ -44,6 +55,7 @@ Criterion readCriterion(const TomlTable& table) {
   criterion.points = table.positive("points");
   criterion.partial = table.flag("partial", false);
   criterion.functions = table.texts("functions", isIdentifier, "the name of a function");
+  criterion.follows = readFollows(table, criterion);
   criterion.hint = table.text("hint");
   return criterion;
 }

@@ -19,7 +19,9 @@ struct Criterion {
   double points = 0.0;
   bool partial = false;                ///< points in proportion to the tests passed; otherwise all or nothing
   std::string hint;                    ///< one sentence: where to look
-  std::vector<std::string> functions;  ///< the student's functions it needs
+  std::vector<std::string> functions;  ///< the student's functions it judges
+  /// Those on which they are built: where one of these alone is wrong, the criterion is earned all the same.
+  std::vector<std::string> follows{};
 };
 
 /// A usual mistake, named in the first line of the feedback when the numbers are exactly what it gives.

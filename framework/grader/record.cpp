@@ -18,7 +18,7 @@ using nlohmann::json;
 std::string dump(const json& document) { return document.dump(1, ' ', false, json::error_handler_t::replace); }
 
 /// Raised whenever the meaning of a field changes: an old record is then as if absent.
-constexpr int version = 3;
+constexpr int version = 4;
 
 json toJson(const Mismatch& m) {
   return {{"label", m.label},
@@ -103,6 +103,7 @@ Verdict verdictFromJson(const json& document) {
   document.at("confirmed").get_to(verdict.isConfirmed);
   document.at("grader_fault").get_to(verdict.graderFault);
   document.at("output").get_to(verdict.output);
+  document.at("followed").get_to(verdict.followed);
   document.at("seconds").get_to(verdict.seconds);
   document.at("calls").get_to(verdict.calls);
   return verdict;
@@ -134,6 +135,7 @@ void writeRecord(const Verdict& verdict, const std::filesystem::path& file) {
                         {"timed_out", verdict.timedOut},
                         {"never_written", verdict.neverWritten},
                         {"output", verdict.output},
+                        {"followed", verdict.followed},
                         {"seconds", verdict.seconds},
                         {"calls", verdict.calls}}));
 }

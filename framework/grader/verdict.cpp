@@ -25,10 +25,19 @@ bool everyTestPassed(const Verdict& verdict) {
   return std::ranges::all_of(verdict.tests, [](const TestOutcome& test) { return test.passed; });
 }
 
+/// A function that was wrong, or ended its calls by its own fault, leaves the points of the tests that do without it.
+/// What passes by luck, misuses memory or asks for what is forbidden leaves nothing.
+bool leavesOtherTests(const Verdict& verdict) {
+  const Outcome outcome = verdict.outcome;
+  if (verdict.fault.empty()) return outcome == Outcome::Wrong || outcome == Outcome::NeverWritten;
+  const bool isOfOne =
+      outcome == Outcome::Wrong || outcome == Outcome::Crash || outcome == Outcome::Cpu || outcome == Outcome::Link;
+  return isOfOne && !verdict.isConfirmed;
+}
+
 double earned(const Criterion& criterion, const Verdict& verdict) {
   if (verdict.passed()) return criterion.points;
-  const bool wasTested = verdict.outcome == Outcome::Wrong || verdict.outcome == Outcome::NeverWritten;
-  if (!criterion.partial || !wasTested || !verdict.fault.empty() || everyTestPassed(verdict)) return 0.0;
+  if (!criterion.partial || !leavesOtherTests(verdict) || everyTestPassed(verdict)) return 0.0;
   const auto passed = std::ranges::count_if(verdict.tests, [](const TestOutcome& test) { return test.passed; });
   return criterion.points * static_cast<double>(passed) / static_cast<double>(verdict.tests.size());
 }

@@ -40,6 +40,9 @@ struct Verdict {
   std::string neverWritten;  ///< the first function that returned memory to which nothing was written, or ""
   std::string timedOut;      ///< the function in which time ran out, Session::loading, or ""
   std::string output;        ///< what the student's code printed, cut
+  /// The lower functions with which the criterion was earned although it failed as it is: the record is then that of
+  /// the run with the reference's, or with values computed from the student's own.
+  std::vector<std::string> followed;
   double seconds = 0.0;
   long calls = 0;
 

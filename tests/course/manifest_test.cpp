@@ -87,6 +87,16 @@ TEST_F(ManifestFile, HasEveryField) {
   EXPECT_EQ(manifest.misconceptions[0].function, "springForce");
 }
 
+TEST_F(ManifestFile, ACriterionFollowsFunctionsThatItDoesNotJudge) {
+  EXPECT_TRUE(read(good).criteria[0].follows.empty());
+  const std::string follows = with("partial = true", "partial = true\nfollows = [\"lowerForce\"]");
+  EXPECT_EQ(read(follows).criteria[1].follows, std::vector<std::string>{"lowerForce"});
+  EXPECT_EQ(complaint(with("partial = true", "partial = true\nfollows = [\"otherForce\"]")),
+            "spring_1d/exercise.toml:20: key 'follows': 'otherForce' stands in functions: this criterion judges it");
+  EXPECT_EQ(complaint(with("partial = true", "partial = true\nfollows = [\"3\"]")),
+            "spring_1d/exercise.toml:20: key 'follows': '3' is not the name of a function");
+}
+
 TEST_F(ManifestFile, FeedbackIsOfTheFullestKindUnlessStated) {
   EXPECT_EQ(read(with("feedback = \"property\"\n", "")).feedback, FeedbackLevel::Values);
 }

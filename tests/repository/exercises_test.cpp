@@ -113,6 +113,10 @@ TEST_F(EveryExercise, NamesFunctionsOfItsContract) {
         EXPECT_NE(contract.find(function + "("), std::string::npos)
             << exercise.topic << ": criterion " << criterion.suite << " needs " << function;
       }
+      for (const std::string& function : criterion.follows) {
+        EXPECT_NE(contract.find(function + "("), std::string::npos)
+            << exercise.topic << ": criterion " << criterion.suite << " follows " << function;
+      }
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include "base/text/printable.h"
 #include "base/text/words.h"
+#include "course/check/missing_functions.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -127,6 +128,7 @@ CompileVerdict judgeCompilation(const ToolRun& run, const std::vector<StudentFil
   verdict.outcome = Outcome::Compile;
   verdict.message = fmt::format("it does not compile: {}:{}: {}", error->file, error->line, error->message);
   verdict.diagnostics = showDiagnostics(found, files);
+  verdict.isStaticAlone = !run.wordsCut && complainsOfStaticAlone(run.words, files);
   return verdict;
 }
 
@@ -141,6 +143,7 @@ CompileVerdict judgeLink(const ToolRun& run, const std::vector<StudentFile>& fil
   verdict.wasKilled = false;
   verdict.message = "it compiles, but does not fit its contract";
   verdict.diagnostics = explainLinkErrors(run.words, files, contract, contractName);
+  if (!run.wordsCut) verdict.missing = missingFunctions(run.words, contract);
   return verdict;
 }
 

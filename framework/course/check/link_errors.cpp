@@ -2,6 +2,7 @@
 #include "base/text/printable.h"
 #include "base/text/words.h"
 #include "course/check/diagnostics.h"
+#include "course/check/missing_functions.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -80,11 +81,22 @@ std::string eigenMember(std::string_view name) {
   return std::string(rest.substr(0, rest.find_first_of("<(")));
 }
 
-/// Whether the function that begins in that line, from 1, is inline.
-bool isInline(std::string_view text, int number) {
+/// Whether the function that begins in that line, from 1, is `inline` or `static`.
+bool hasSpecifier(std::string_view text, int number, const std::string& specifier) {
   for (int i = 1; i < number; ++i) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
   const std::string_view before = text.substr(0, std::min(text.find('('), text.find('\n')));
-  return before.starts_with("inline ") || contains(before, " inline ");
+  return before.starts_with(specifier + " ") || contains(before, " " + specifier + " ");
+}
+
+/// What keeps a function of the right name from being the contract's: "inline: nothing outside the file can call it;
+/// remove inline".
+std::string whyNotTheContracts(std::string_view text, int line) {
+  for (const std::string specifier : {"inline", "static"}) {
+    if (hasSpecifier(text, line, specifier)) {
+      return fmt::format("is {0}: nothing outside the file can call it; remove {0}", specifier);
+    }
+  }
+  return "has the name, but other argument types (const and & count), static, or a namespace around it";
 }
 
 /// One missing function.
@@ -105,14 +117,8 @@ std::string explainMissing(const std::string& name, const std::vector<StudentFil
     std::vector<std::string> names;
     for (const NamedLine& function : functionsIn(file.text)) {
       if (function.name == name) {
-        if (isInline(file.text, function.line)) {
-          return text + fmt::format("      = {}:{} is inline: nothing outside the file can call it; remove inline\n",
-                                    file.name, function.line);
-        }
-        return text + fmt::format(
-                          "      = {}:{} has the name, but other argument types (const and & count), static, or "
-                          "a namespace around it\n",
-                          file.name, function.line);
+        return text + fmt::format("      = {}:{} {}\n", file.name, function.line,
+                                  whyNotTheContracts(file.text, function.line));
       }
       // A function that the contract knows is itself, not a misspelling of this one.
       if (declarationIn(contract, function.name).empty()) names.push_back(function.name);
@@ -149,6 +155,49 @@ std::vector<std::string> linkedNames(std::string_view linkerText) {
     }
   }
   return names;
+}
+
+std::vector<std::string> missingFunctions(std::string_view linkerText, std::string_view contract) {
+  for (const std::string_view key : {"multiple definition of ", "duplicate symbol: "}) {
+    if (contains(linkerText, key)) return {};
+  }
+  const std::vector<std::string> names = linkedNames(linkerText);
+  const bool areTheContracts =
+      std::ranges::all_of(names, [&](const std::string& name) { return !declarationIn(contract, name).empty(); });
+  return areTheContracts ? names : std::vector<std::string>();
+}
+
+std::string missingSentence(const std::string& function, const std::vector<StudentFile>& files,
+                            std::string_view contract, std::string_view contractName) {
+  const std::string text = explainMissing(function, files, contract, contractName);
+  const std::size_t reason = text.rfind("\n      = ");
+  constexpr std::size_t before = 9;
+  const std::string why = reason != std::string::npos
+                              ? text.substr(reason + before, text.find('\n', reason + before) - reason - before)
+                              : fmt::format("{} does not define it", files.empty() ? "the file" : files.front().name);
+  return printableLine(fmt::format("{} is missing: {}", function, why));
+}
+
+std::string missingSource(const std::vector<std::string>& functions, const std::vector<StudentFile>& files,
+                          std::string_view contract, std::string_view contractName) {
+  std::string source =
+      fmt::format("#include \"{}\"\n#pragma GCC diagnostic ignored \"-Wunused-parameter\"\n", contractName);
+  for (const std::string& function : functions) {
+    source += fmt::format("{} {{\n  muelle::eigenAssertionFailed(R\"says({})says\", \"{}\", {{}});\n}}\n",
+                          declarationIn(contract, function), missingSentence(function, files, contract, contractName),
+                          missingFunction);
+  }
+  return source;
+}
+
+bool complainsOfStaticAlone(std::string_view compilerWords, const std::vector<StudentFile>& files) {
+  bool hasErrors = false;
+  for (const Diagnostic& diagnostic : parseDiagnostics(compilerWords, files)) {
+    if (!diagnostic.isError) continue;
+    if (!contains(diagnostic.message, "was declared 'extern' and later 'static'")) return false;
+    hasErrors = true;
+  }
+  return hasErrors;
 }
 
 std::string explainLinkErrors(std::string_view linkerText, const std::vector<StudentFile>& files,

@@ -10,6 +10,7 @@
 
 #include "course/check/crash_report.h"
 #include "course/check/eigen_message.h"
+#include "course/check/missing_functions.h"
 #include "course/check/outcome.h"
 #include "course/check/report_line.h"
 #include "course/check/standard_message.h"
@@ -61,7 +62,8 @@ class ReportingListener : public testing::EmptyTestEventListener {
       report("failure", function + " " + neverWrittenSentence());
       function.clear();
     } else if (!lastMisuse().empty()) {
-      report("outcome", nameOf(misuseOfFill() ? Outcome::NeverWritten : Outcome::Crash));
+      const Outcome outcome = misuseOfFill() ? Outcome::NeverWritten : Outcome::Crash;
+      report("outcome", nameOf(callsMissing() ? Outcome::Link : outcome));
     }
     if (std::optional<Mismatch> mismatch = takeMismatch(part.message())) {
       mismatch->call = CallRecord::lastCall();
@@ -110,6 +112,11 @@ class ReportingListener : public testing::EmptyTestEventListener {
     static std::string text;
     return text;
   }
+  /// Whether it was a call of a function that is missing.
+  static bool& callsMissing() {
+    static bool isMissing = false;
+    return isMissing;
+  }
   /// Whether it was an index that was never written.
   static bool& misuseOfFill() {
     static bool isFill = false;
@@ -146,9 +153,11 @@ int drawDemo(const std::string& folder) {
 void eigenAssertionFailed(const char* condition, const char* function, AssertedIndex index) {
   // While an exception is on its way, destructors of Eigen assert what they then find; the first cause is what counts.
   if (std::uncaught_exceptions() == 0) {
+    ReportingListener::callsMissing() = function == missingFunction;
     ReportingListener::misuseOfFill() = index.known && isFillInteger(index.value);
     ReportingListener::lastMisuse() =
-        ReportingListener::misuseOfFill()
+        ReportingListener::callsMissing() ? condition
+        : ReportingListener::misuseOfFill()
             ? "an index was never written in " + place() + ": give every variable a value before it is read"
             : eigenMessage(condition, function, index, place());
   }

@@ -9,6 +9,7 @@
 #include "course/check/compile_view.h"
 #include "course/check/dependencies.h"
 #include "course/check/filled_flags.h"
+#include "course/check/missing_functions.h"
 #include "course/check/probe.h"
 #include "course/check/second_look.h"
 #include "course/check/source_text.h"
@@ -101,13 +102,21 @@ class Builder {
     const CompileView view(scratch.path(), contract_, students_);
     for (const StudentFile& file : students_) {
       objects.push_back(objectOf(file, scratch.path(), ".o"));
-      const CompileVerdict verdict = decided(view, scratch.path(), [&] { return compile(view, file, objects.back()); });
+      CompileVerdict verdict = decided(view, scratch.path(), [&] { return compile(view, file, objects.back()); });
+      if (verdict.isStaticAlone) {
+        rules_ = {"-fpermissive"};
+        verdict = decided(view, scratch.path(), [&] { return compile(view, file, objects.back()); });
+      }
       program.diagnostics += verdict.diagnostics;
       if (!take(verdict, program)) return program;
     }
     const fs::path fresh = scratch.path() / "program";
     if (!judgeObjects(objects, program)) return program;
-    const CompileVerdict linked = decided(view, scratch.path(), [&] { return link(objects, fresh); });
+    CompileVerdict linked = decided(view, scratch.path(), [&] { return link(objects, fresh); });
+    if (!linked.missing.empty() && addMissing(view, linked.missing, objects)) {
+      program.diagnostics = linked.diagnostics + program.diagnostics;
+      linked = decided(view, scratch.path(), [&] { return link(objects, fresh); });
+    }
     if (!linked.passed()) program.diagnostics = linked.diagnostics;
     if (!take(linked, program)) return program;
     const std::string hindrance = wantsSecondLook_ ? buildAgain(view, scratch.path(), sanitized) : "";
@@ -126,6 +135,17 @@ class Builder {
   }
 
  private:
+  /// Compiles a definition of each function that is missing; a call of one says so.
+  bool addMissing(const CompileView& view, const std::vector<std::string>& functions,
+                  std::vector<std::string>& objects) {
+    const fs::path source = view.source(missingSourceName);
+    writeFile(source, missingSource(functions, students_, readFile(contract_), contract_.filename().string()));
+    missingObject_ = source.string() + ".o";
+    if (!runTool(compileCommand(view, source, missingObject_, nullptr), limits_).succeeded) return false;
+    objects.push_back(missingObject_);
+    return true;
+  }
+
   /// As the grader's intake reads it: what is no text, or too much of it, is refused before it meets the compiler.
   void read(const fs::path& source) {
     if (!fs::is_regular_file(source)) throw std::runtime_error(fmt::format("no file {}", source.string()));
@@ -207,13 +227,14 @@ class Builder {
   static constexpr Variant refilled{"refilled", refilledCompileFlags, withFilledNumbers, false};
 
   /// \param variant null: the plain build
-  static std::vector<std::string> compileCommand(const CompileView& view, const fs::path& source,
-                                                 const std::string& object, const Variant* variant) {
+  std::vector<std::string> compileCommand(const CompileView& view, const fs::path& source, const std::string& object,
+                                          const Variant* variant) const {
     std::vector<std::string> command{build_paths::compiler};
     const auto add = [&](const std::vector<std::string>& flags) {
       command.insert(command.end(), flags.begin(), flags.end());
     };
     add(variant != nullptr ? variant->flags() : studentCompileFlags());
+    add(rules_);
     add(view.includeFlags(variant == nullptr));
     add(dependencyFlags(object));
     add({"-c", source.string(), "-o", object});
@@ -293,6 +314,7 @@ class Builder {
       const ToolRun run = runTool(compileCommand(view, source, objects.back(), &variant), limits_);
       if (!run.succeeded) return sayNoSecondLook(run, students_);
     }
+    if (!missingObject_.empty()) objects.push_back(missingObject_);
     const ToolRun run = runTool(linkCommand(objects, scratch / variant.name, variant.isSanitized), limits_);
     return run.succeeded ? "" : sayNoSecondLook(run, students_);
   }
@@ -306,7 +328,9 @@ class Builder {
   CompileLimits limits_;
   bool wantsSecondLook_ = false;
   bool wantsOtherFill_ = false;
-  std::string refusal_;  ///< why a source is not compiled at all; "" when all are
+  std::vector<std::string> rules_;  ///< flags that forgive a static function of the contract; usually none
+  std::string missingObject_;       ///< defines what the files lack; "" when they lack nothing
+  std::string refusal_;             ///< why a source is not compiled at all; "" when all are
   std::string note_;
 };
 

@@ -105,8 +105,7 @@ class MutantRun {
   void judge(const Candidate& candidate, bool isAlone) {
     for (const std::size_t i : killOrder_.order()) {
       const Criterion& criterion = manifest_.criteria[i];
-      const Verdict verdict =
-          judgeCriterion(grader_.workplace(), grader_.records(), candidate, criterion, grader_.options());
+      const Verdict verdict = judgeCriterion(grader_.judgingPlace(), candidate, criterion, grader_.options());
       if (isDoubtful(verdict) && !isAlone) return tryAlone();
       if (!verdict.graderFault.empty()) {
         mutant_.trouble = criterion.suite + ": " + verdict.graderFault;

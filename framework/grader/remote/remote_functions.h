@@ -1,11 +1,14 @@
 #pragma once
 /// \file
 /// MUELLE_FUNCTIONS for the hidden tests: submission::f(args) is a call to the sandboxed worker, oracle::f is declared
-/// with the contract's signature, and every call is kept for the diagnosis of misconceptions.
+/// with the contract's signature, and every call is kept for the diagnosis of misconceptions. given::f is what a
+/// function that is built on f may be held against: oracle::f, or the student's f in a run that asks whether the one is
+/// right given the other.
 
 #include "course/testing/never_written.h"
 #include "course/testing/print_value.h"
 #include "grader/remote/fault.h"
+#include "grader/remote/own_lower.h"
 #include "grader/remote/session.h"
 #include "grader/testing/call_history.h"
 #include "grader/wire/codec.h"
@@ -110,6 +113,25 @@ Result RemoteFunction<Result(Args...)>::operator()(Args... args) const {
   }
 }
 
+/// The oracle's function, or the student's where the process was told so (own_lower.h).
+template <class Signature>
+class GivenFunction;
+
+template <class Result, class... Args>
+class GivenFunction<Result(Args...)> {
+ public:
+  constexpr GivenFunction(const char* name, Result (*oracle)(Args...)) : name_(name), oracle_(oracle) {}
+
+  Result operator()(Args... args) const {
+    if (isOwnLower(name_)) return RemoteFunction<Result(Args...)>(name_)(std::forward<Args>(args)...);
+    return oracle_(std::forward<Args>(args)...);
+  }
+
+ private:
+  const char* name_;
+  Result (*oracle_)(Args...);
+};
+
 }  // namespace muelle::grader
 
 // The calls of an exercise are compiled in one source of its hidden tests, by the first of these defines, and the
@@ -125,12 +147,16 @@ Result RemoteFunction<Result(Args...)>::operator()(Args... args) const {
 #else
 #define MUELLE_REMOTE_CALL_(function)
 #endif
-#define MUELLE_REMOTE_FUNCTION_(function)                                                                \
-  MUELLE_REMOTE_CALL_(function)                                                                          \
-  namespace oracle {                                                                                     \
-  decltype(::function) function;                                                                         \
-  }                                                                                                      \
-  namespace submission {                                                                                 \
-  [[maybe_unused]] constexpr ::muelle::grader::RemoteFunction<decltype(::function)> function(#function); \
+#define MUELLE_REMOTE_FUNCTION_(function)                                                                         \
+  MUELLE_REMOTE_CALL_(function)                                                                                   \
+  namespace oracle {                                                                                              \
+  decltype(::function) function;                                                                                  \
+  }                                                                                                               \
+  namespace submission {                                                                                          \
+  [[maybe_unused]] constexpr ::muelle::grader::RemoteFunction<decltype(::function)> function(#function);          \
+  }                                                                                                               \
+  namespace given {                                                                                               \
+  [[maybe_unused]] constexpr ::muelle::grader::GivenFunction<decltype(::function)> function(#function,            \
+                                                                                            &::oracle::function); \
   }
 #define MUELLE_FUNCTIONS(...) MUELLE_FOR_EACH(MUELLE_REMOTE_FUNCTION_, __VA_ARGS__)

@@ -2,6 +2,7 @@
 
 #include "course/check/eigen_message.h"
 #include "course/check/fault_sentences.h"
+#include "course/check/missing_functions.h"
 #include "course/check/standard_message.h"
 #include "course/check/thrown_sentence.h"
 #include "course/testing/never_written.h"
@@ -40,6 +41,7 @@ SubmissionFault refusal(const wire::Frame& frame, const std::string& function) {
   std::getline(lines, condition);
   std::getline(lines, where);
   std::getline(lines, index);
+  if (where == missingFunction) return SubmissionFault(condition, Outcome::Link);
   AssertedIndex asserted;
   if (!index.empty() && index.size() < 12) asserted = AssertedIndex(std::strtol(index.c_str(), nullptr, 10));
   if (where.starts_with(worker::standardLibrary)) {
@@ -67,65 +69,107 @@ void Session::setCurrent(Session* session) { theSession = session; }
 
 std::vector<std::byte> Session::call(const Request& request) {
   describeLast_ = request.describe;
+  called_.insert(request.function);
   std::vector<std::byte> reply = exchange(request);
   if (request.callbacks.empty()) {
     remember(request, reply);
-    if (!past_.empty() && random_.integer(1, repeatOneIn) == 1) repeatAnEarlierCall();
+    if (!past_.empty() && random_.integer(1, repeatOneIn) == 1) repeatAnEarlierCall(request.function);
   }
   return reply;
 }
 
 void Session::fail(const SubmissionFault& fault) {
-  fault_ = fault.what();
-  outcome_ = fault.outcome();
-  throw SubmissionFault(fault_, outcome_);
+  note(fault, lastFunction_);
+  throw fault;
 }
 
 std::vector<std::byte> Session::exchange(const Request& request) {
+  lastFunction_ = request.function;
   if (!graderFault_.empty()) throw GraderFault(graderFault_);
-  if (!fault_.empty()) throw SubmissionFault(fault_, outcome_);
+  const auto broken = broken_.find(request.function);
+  if (isOver_ || broken != broken_.end()) {
+    hasFailed_ = true;
+    throw isOver_ ? SubmissionFault(fault_, outcome_) : broken->second;
+  }
   ++calls_;
   try {
     startWorker();
     const std::chrono::nanoseconds left = setup_.limits.criterion - cpuUsed_;
-    const std::chrono::nanoseconds before = worker_->cpu();
+    cpuBefore_ = worker_->cpu();
     const Patience patience =
         worker_->patience(std::min<std::chrono::nanoseconds>(setup_.limits.call, left), setup_.limits.callWall);
     std::vector<std::byte> reply = converse(request, patience);
     const std::chrono::nanoseconds after = worker_->cpu();
     // Between two looks it may have passed the limit: the verdict must not depend on when we looked.
     if (after > patience.cpu) throw SubmissionFault(request.function + " used up its processor time", Outcome::Cpu);
-    cpuUsed_ += after - before;
+    cpuUsed_ += after - cpuBefore_;
     return reply;
   } catch (const SubmissionFault& fault) {
-    noteFault(fault, request.function);
-    throw SubmissionFault(fault_, outcome_);
+    noteEndOfWorker(fault, request.function);
+    throw SubmissionFault(broken_.contains(request.function) ? broken_.at(request.function)
+                                                             : SubmissionFault(fault_, outcome_));
   } catch (const GraderFault& error) {
     graderFault_ = error.what();
     throw;
   }
 }
 
-void Session::noteFault(const SubmissionFault& fault, const std::string& function) {
-  fault_ = fault.what();
-  outcome_ = fault.outcome();
-  isConfirmed_ = fault.isConfirmed();
-  if (!worker_) return;
+namespace {
+
+/// Whether the other functions may be asked all the same.
+bool concernsOneFunction(const SubmissionFault& fault) {
+  const Outcome outcome = fault.outcome();
+  const bool isOfOne =
+      outcome == Outcome::Wrong || outcome == Outcome::Crash || outcome == Outcome::Cpu || outcome == Outcome::Link;
+  return isOfOne && !fault.isConfirmed();
+}
+
+}  // namespace
+
+void Session::note(const SubmissionFault& fault, const std::string& function) {
+  hasFailed_ = true;
+  isOver_ = isOver_ || !concernsOneFunction(fault);
+  if (fault_.empty() || isOver_) {
+    fault_ = fault.what();
+    outcome_ = fault.outcome();
+    isConfirmed_ = fault.isConfirmed();
+  }
+  broken_.emplace(function, fault);
+}
+
+void Session::noteEndOfWorker(SubmissionFault fault, const std::string& function) {
+  if (!worker_) {  // it did not load: no function will be asked
+    isOver_ = true;
+    return note(fault, function);
+  }
   worker_->end();  // it may still be running
-  if (fault_.ends_with(waitsSentence)) timedOutFunction_ = function;
-  if (outcome_ != Outcome::Cpu) return;
-  timedOutFunction_ = function;
-  const bool callLimit = cpuUsed_ + setup_.limits.call <= setup_.limits.criterion;
-  const auto seconds = [](std::chrono::milliseconds time) { return static_cast<double>(time.count()) / 1000.0; };
-  fault_ = callLimit ? fmt::format("{} {}", function, limitSentence(setup_.limits.call))
-                     : fmt::format(
-                           "the calls of this criterion took more than {} s of processor time together; the "
-                           "last was {}",
-                           seconds(setup_.limits.criterion), function);
+  needsFreshWorker_ = true;
+  const bool isFirst = fault_.empty();
+  const bool isEndless = fault.outcome() == Outcome::Cpu || std::string_view(fault.what()).ends_with(waitsSentence);
+  if (isFirst && isEndless) timedOutFunction_ = function;
+  if (fault.outcome() == Outcome::Cpu) fault = inItsTime(fault, function);
+  cpuUsed_ += worker_->cpu() - cpuBefore_;
+  note(fault, function);
+}
+
+/// What passed its limit in the words of the limit: that of one call, or that of all of them, after which none is made.
+SubmissionFault Session::inItsTime(const SubmissionFault& fault, const std::string& function) {
+  if (cpuUsed_ + setup_.limits.call <= setup_.limits.criterion) {
+    return SubmissionFault(fmt::format("{} {}", function, limitSentence(setup_.limits.call)), fault.outcome());
+  }
+  isOver_ = true;
+  const double seconds = static_cast<double>(setup_.limits.criterion.count()) / 1000.0;
+  return SubmissionFault(
+      fmt::format("the calls of this criterion took more than {} s of processor time together; the last was {}",
+                  seconds, function),
+      fault.outcome());
 }
 
 void Session::startWorker() {
-  if (worker_) return;
+  if (worker_ && !needsFreshWorker_) return;
+  if (worker_) earlierOutput_ += worker_->output();
+  worker_.reset();
+  needsFreshWorker_ = false;
   try {
     worker_ = std::make_unique<WorkerProcess>(
         *setup_.sandbox, WorkerHost{setup_.host, setup_.sanitised, setup_.refilled}, setup_.submission, setup_.limits);
@@ -183,14 +227,28 @@ void Session::remember(const Request& request, const std::vector<std::byte>& rep
   }
 }
 
-void Session::repeatAnEarlierCall() {
-  const PastCall& past = past_[static_cast<std::size_t>(random_.integer(0, static_cast<int>(past_.size()) - 1))];
-  if (exchange(past.request) != past.reply) {
-    describeLast_ = past.request.describe;
-    fail(SubmissionFault(past.request.function +
+/// A fault of another function than the one that was asked last is that function's: the test goes on.
+void Session::repeatAnEarlierCall(const std::string& current) {
+  const PastCall past = past_[static_cast<std::size_t>(random_.integer(0, static_cast<int>(past_.size()) - 1))];
+  const std::string& function = past.request.function;
+  if (broken_.contains(function)) return;
+  const bool hadFailed = hasFailed_;
+  try {
+    if (answersAsBefore(past)) return;
+    note(SubmissionFault(function +
                          " gave another answer when it was asked the same again: it must depend on its arguments alone "
-                         "(no static variables, every variable initialised)"));
+                         "(no static variables, every variable initialised)"),
+         function);
+  } catch (const SubmissionFault&) {  // noted where it was thrown
   }
+  unreliable_.insert(function);
+  if (isOver_ || function == current) {
+    describeLast_ = past.request.describe;
+    throw SubmissionFault(broken_.contains(function) ? broken_.at(function) : SubmissionFault(fault_, outcome_));
+  }
+  hasFailed_ = hadFailed;
 }
+
+bool Session::answersAsBefore(const PastCall& past) { return exchange(past.request) == past.reply; }
 
 }  // namespace muelle::grader

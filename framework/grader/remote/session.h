@@ -6,7 +6,9 @@
 #include "grader/wire/frame.h"
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,7 +30,9 @@ struct Request {
 /// The conversation of one test process with one worker.
 ///
 /// Some calls are repeated later, out of order, with their old arguments: an answer that has changed is a fault, so
-/// counting calls or remembering answers earns nothing. After a fault every further call fails with the same words.
+/// counting calls or remembering answers earns nothing. After a fault every further call of that function fails with
+/// the same words; the other functions go on in a fresh worker, unless the fault was one of the machine's, of memory,
+/// or a forbidden call: then nothing is called any more.
 class Session {
  public:
   struct Setup {
@@ -50,10 +54,17 @@ class Session {
   /// Performs a call. Throws SubmissionFault or GraderFault.
   std::vector<std::byte> call(const Request& request);
 
-  /// Ends the session with a fault of the student's: an answer that cannot be read.
+  /// Notes a fault of the function that was called last: an answer that cannot be read.
   [[noreturn]] void fail(const SubmissionFault& fault);
 
+  /// The first one, or the one that ended everything.
   const std::string& fault() const { return fault_; }
+  /// Whether a call has failed since forgetLastCall(): the test is over, whatever it says.
+  bool hasFailed() const { return hasFailed_; }
+  /// The functions that were called since forgetLastCall().
+  const std::set<std::string>& called() const { return called_; }
+  /// The functions whose earlier answers are not believed: asked again, they answered otherwise, or not at all.
+  const std::set<std::string>& unreliable() const { return unreliable_; }
   /// The class of the fault; Outcome::Passed when there is none.
   Outcome outcome() const { return outcome_; }
   /// Whether the fault is what a sanitizer has found, of the kinds that the second look is made for.
@@ -71,8 +82,12 @@ class Session {
   const std::string& timedOutFunction() const { return timedOutFunction_; }
   std::string lastCall() const { return describeLast_ ? describeLast_() : std::string(); }
   /// Forgets the last call, so that a test's failure does not show the call of another.
-  void forgetLastCall() { describeLast_ = nullptr; }
-  std::string output() const { return worker_ ? worker_->output() : std::string(); }
+  void forgetLastCall() {
+    describeLast_ = nullptr;
+    hasFailed_ = false;
+    called_.clear();
+  }
+  std::string output() const { return earlierOutput_ + (worker_ ? worker_->output() : std::string()); }
   long calls() const { return calls_; }
   /// Process id of the sandbox, 0 when no worker runs.
   pid_t workerPid() const { return worker_ ? worker_->pid() : 0; }
@@ -90,11 +105,14 @@ class Session {
 
   std::vector<std::byte> exchange(const Request& request);
   void startWorker();
-  void noteFault(const SubmissionFault& fault, const std::string& function);
+  void note(const SubmissionFault& fault, const std::string& function);
+  void noteEndOfWorker(SubmissionFault fault, const std::string& function);
+  SubmissionFault inItsTime(const SubmissionFault& fault, const std::string& function);
   std::vector<std::byte> converse(const Request& request, const Patience& patience);
   void answerCallback(const Request& request, const wire::Frame& frame, std::uint64_t nonce, const Patience& patience);
   void remember(const Request& request, const std::vector<std::byte>& reply);
-  void repeatAnEarlierCall();
+  void repeatAnEarlierCall(const std::string& current);
+  bool answersAsBefore(const PastCall& past);
 
   Setup setup_;
   Random random_;
@@ -102,12 +120,21 @@ class Session {
   std::vector<PastCall> past_;
   std::function<std::string()> describeLast_;
   std::chrono::nanoseconds cpuUsed_{0};
+  std::chrono::nanoseconds cpuBefore_{0};  ///< of this worker, when the last call began
   std::string fault_;
   Outcome outcome_ = Outcome::Passed;
   bool isConfirmed_ = false;
   std::string graderFault_;
   std::string neverWritten_;
   std::string timedOutFunction_;
+  std::map<std::string, SubmissionFault> broken_;  ///< what every further call of a function says
+  std::set<std::string> unreliable_;
+  std::set<std::string> called_;
+  std::string lastFunction_;
+  std::string earlierOutput_;  ///< of workers that have ended
+  bool needsFreshWorker_ = false;
+  bool hasFailed_ = false;
+  bool isOver_ = false;
   long calls_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "base/text/base64.h"
 #include "base/text/html.h"
+#include "grader/report/followed.h"
 #include "grader/report/format.h"
 #include "grader/report/page.h"
 #include "grader/report/report.h"
@@ -94,6 +95,12 @@ std::string buildBlock(const GradedExercise& exercise) {
   return html + "</div>\n";
 }
 
+std::string followedBlock(const GradedExercise& exercise) {
+  std::string html;
+  for (const std::string& sentence : followedSentences(exercise)) html += paragraph("hint", sentence);
+  return html.empty() ? "" : "<div class=\"block\">\n" + html + "</div>\n";
+}
+
 std::string curves(const GradedExercise& exercise) {
   if (exercise.figures.empty() && exercise.figuresNote.empty()) return "";
   std::string html = "<div class=\"block\">\n" + paragraph("soft", exercise.figuresNote);
@@ -114,7 +121,7 @@ std::string exerciseSection(const GradedExercise& exercise) {
       escapeHtml(exercise.manifest.topic), ours ? "part" : classOf(points, most), escapeHtml(exercise.manifest.title),
       pointsOf(showScore(exercise), most, " / "), bar(points, most));
   if (!exercise.note.empty()) html += "<div class=\"block\">\n" + paragraph("soft", exercise.note) + "</div>\n";
-  html += buildBlock(exercise);
+  html += followedBlock(exercise) + buildBlock(exercise);
   for (const Criterion& criterion : exercise.manifest.criteria) html += criterionRow(criterion, exercise);
   return html + curves(exercise) + "</section>\n";
 }

@@ -1,3 +1,4 @@
+#include "grader/report/followed.h"
 #include "grader/report/format.h"
 #include "grader/report/report.h"
 
@@ -63,18 +64,24 @@ void appendCase(pugi::xml_node suite, const Criterion& criterion, const GradedEx
   if (!printed.empty()) appendText(test, "system-out", printed);
 }
 
-/// How the file was taken concerns the passed criteria, too, which have no words of their own.
-void appendNote(pugi::xml_node suite, const std::string& note) {
-  if (note.empty()) return;
-  pugi::xml_node property = suite.append_child("properties").append_child("property");
-  property.append_attribute("name") = "note";
-  setText(property, "value", note);
+/// How the file was taken and what was earned in spite of a lower function concern the passed criteria, too, which have
+/// no words of their own.
+void appendNotes(pugi::xml_node suite, const GradedExercise& exercise) {
+  std::vector<std::string> notes = followedSentences(exercise);
+  if (!exercise.note.empty()) notes.insert(notes.begin(), exercise.note);
+  if (notes.empty()) return;
+  pugi::xml_node properties = suite.append_child("properties");
+  for (const std::string& note : notes) {
+    pugi::xml_node property = properties.append_child("property");
+    property.append_attribute("name") = "note";
+    setText(property, "value", note);
+  }
 }
 
 void appendSuite(pugi::xml_node suites, const GradedExercise& exercise, const std::string& date, Counts& total) {
   pugi::xml_node suite = suites.append_child("testsuite");
   setText(suite, "name", exercise.manifest.topic);
-  appendNote(suite, exercise.note);
+  appendNotes(suite, exercise);
   Counts counts;
   double seconds = 0.0;
   for (const Criterion& criterion : exercise.manifest.criteria) {

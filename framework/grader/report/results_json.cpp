@@ -1,6 +1,7 @@
 // Gradescope's results.json: https://gradescope-autograders.readthedocs.io/en/latest/specs/
 
 #include "base/text/printable.h"
+#include "grader/report/followed.h"
 #include "grader/report/format.h"
 #include "grader/report/report.h"
 
@@ -47,6 +48,9 @@ std::string summary(const GradedSubmission& graded) {
   text += fmt::format("Sandbox: {}\n", showSandbox(graded));
   for (const std::string& note : graded.intakeNotes) text += printableLine(note) + '\n';
   for (const GradedExercise& exercise : graded.exercises) {
+    for (const std::string& sentence : followedSentences(exercise)) {
+      text += fmt::format("\n{}: {}\n", printableLine(exercise.manifest.title), sentence);
+    }
     if (exercise.build.diagnostics.empty()) continue;
     text += fmt::format("\n{}: {}\n{}\n", printableLine(exercise.manifest.title),
                         cut(printableLine(exercise.build.message), messageBytes),

@@ -1,6 +1,7 @@
 #include "base/text/printable.h"
 #include "base/text/utf8.h"
 #include "base/text/wrap.h"
+#include "grader/report/followed.h"
 #include "grader/report/format.h"
 #include "grader/report/paint.h"
 #include "grader/report/report.h"
@@ -77,6 +78,7 @@ class Table {
     if (!exercise.note.empty()) paragraph("  ", "note: " + exercise.note, paint::dim);
     if (exercise.build.status != BuildOutcome::Status::Built) return unbuilt(exercise);
     for (const Criterion& criterion : exercise.manifest.criteria) this->criterion(criterion, exercise);
+    for (const std::string& sentence : followedSentences(exercise)) paragraph("  ", sentence, paint::dim);
   }
 
   /// One line for all criteria: none of them ran.

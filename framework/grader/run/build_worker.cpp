@@ -2,11 +2,13 @@
 
 #include "base/file.h"
 #include "course/check/compile_verdict.h"
+#include "course/check/missing_functions.h"
 #include "course/check/probe.h"
 #include "course/check/second_look.h"
 #include "course/check/symbols.h"
 #include "grader/run/compile.h"
 #include "grader/run/digest.h"
+#include "grader/run/replaced_object.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -38,16 +40,30 @@ class Builder {
         store_(store),
         manifest_(manifest),
         sources_(sources),
+        built_(sources),
         sandbox_(sandbox),
         key_(objectKey(workplace, manifest, sources, sandbox.choice())),
         fresh_(options.fresh) {}
 
-  BuildAttempt build(bool isLastTry) const {
+  BuildAttempt build(bool isLastTry) {
     if (!fresh_) {
       if (const auto kept = this->kept()) return {*kept, false, false};
     }
-    const Compilation compilation = compile(workplace_, manifest_, sources_, sandbox_);
-    const CompileVerdict verdict = verdictOn(compilation);
+    Compilation compilation = compile(workplace_, manifest_, sources_, sandbox_);
+    CompileVerdict verdict = verdictOn(compilation);
+    if (verdict.isStaticAlone) {
+      rules_ = Rules::Lenient;
+      compilation = compileOnceMore();
+      verdict = verdictOn(compilation);
+    }
+    if (!verdict.missing.empty()) {
+      const CompileVerdict without = verdict;
+      addMissing(verdict.missing);
+      compilation = compileOnceMore();
+      verdict = verdictOn(compilation);
+      if (!verdict.passed()) verdict = without;
+      verdict.diagnostics = without.diagnostics;
+    }
     if (verdict.passed()) return {keep(compilation, verdict), false, true};
     if (verdict.isDecided) return {refuse(verdict), false, true};
     if (!isLastTry) return {ours(verdict.message), true, true};
@@ -57,6 +73,15 @@ class Builder {
   }
 
  private:
+  /// A definition of each function that is missing: a call of one says so.
+  void addMissing(const std::vector<std::string>& functions) {
+    const fs::path contract = workplace_.contract(manifest_.topic);
+    built_[missingSourceName] =
+        missingSource(functions, studentFiles(sources_), readFile(contract), contract.filename().string());
+  }
+
+  Compilation compileOnceMore() const { return compile(workplace_, manifest_, built_, sandbox_, Build::Plain, rules_); }
+
   static ToolRun toolRun(const Compilation& compilation, bool succeeded) {
     constexpr int signalled = 128;  // a shell and bubblewrap pass a signal on as 128 + signal
     const CommandResult& result = compilation.run;
@@ -130,11 +155,12 @@ class Builder {
   /// A kept object. Throws std::runtime_error when its content is another than the one that was kept.
   fs::path whole(const char* suffix, const std::string& expected) const {
     fs::path file = store_.file(key_, suffix);
-    if (digestOfFile(file) != expected) throw std::runtime_error("damaged: " + file.string());
+    if (digestOfFile(file) + digestOfFile(partsOf(file)) != expected)
+      throw std::runtime_error("damaged: " + file.string());
     return file;
   }
 
-  /// The objects' digests; "" where there is none.
+  /// The digests of the objects and their parts; "" where there is none.
   struct Digests {
     std::string plain, sanitised, refilled;
   };
@@ -150,10 +176,11 @@ class Builder {
     store_.write(key_, outcomeSuffix, document.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
   }
 
-  /// Puts an object into the store; its digest.
+  /// Puts an object and its parts into the store; their digests.
   std::string store(const char* suffix, const Compilation& compilation) const {
     store_.write(key_, suffix, compilation.run.out);
-    return digestOfBytes(compilation.run.out);
+    store_.write(key_, partsOf(suffix).string(), compilation.parts);
+    return digestOfBytes(compilation.run.out) + digestOfBytes(compilation.parts);
   }
 
   /// The objects first: whoever reads the outcome finds them.
@@ -192,9 +219,9 @@ class Builder {
   }
 
   Compilation compileAgain(Build build) const {
-    Compilation second = compile(workplace_, manifest_, sources_, sandbox_, build);
+    Compilation second = compile(workplace_, manifest_, built_, sandbox_, build, rules_);
     const bool isMachines = second.stage == Compilation::Stage::Elsewhere || second.endedFromOutside;
-    return isMachines ? compile(workplace_, manifest_, sources_, sandbox_, build) : second;
+    return isMachines ? compile(workplace_, manifest_, built_, sandbox_, build, rules_) : second;
   }
 
   BuiltObject refuse(const CompileVerdict& verdict) const {
@@ -214,6 +241,8 @@ class Builder {
   const Store& store_;
   const Manifest& manifest_;
   const Sources& sources_;
+  Sources built_;  ///< with what stands for functions that are missing
+  Rules rules_ = Rules::Usual;
   const Sandbox& sandbox_;
   const std::string key_;
   const bool fresh_;

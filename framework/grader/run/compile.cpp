@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
+#include <cstdlib>
+#include <string_view>
 
 namespace muelle::grader {
 
@@ -27,6 +29,10 @@ constexpr const char* linkFlags = "-shared -Wl,-Bsymbolic,-z,now,-z,noexecstack,
 constexpr int compileFailed = 10;
 constexpr int linkFailed = 11;
 constexpr int symbolsFailed = 12;
+
+/// Before the size of the shared object, behind which the student's parts follow. The last line: what stands before it
+/// holds names of the student's.
+constexpr const char* partsFollow = "-- bytes ";
 
 /// Between what was read and the symbols.
 constexpr const char* symbolsFollow = "-- symbols";
@@ -70,10 +76,26 @@ std::vector<std::string> compileFlags(Build build) {
   return build == Build::Refilled ? refilledCompileFlags() : studentCompileFlags();
 }
 
-Confinement confinementOf(const Workplace& workplace, const Manifest& manifest, const Sources& sources,
-                          SandboxChoice sandbox, Build build) {
+/// The compiler with its folders and limits; it has a scratch folder and sees the system's files.
+Confinement toolsConfinement(const Workplace& workplace, std::string script) {
   Confinement confinement;
-  confinement.files = compilersView(workplace, manifest);
+  if (!isOfTheSystem(workplace.compiler)) {
+    confinement.files.push_back({"/tools/" + workplace.compiler.filename().string(), workplace.compiler, "", true});
+  }
+  confinement.command = {"/usr/bin/sh", "-c", std::move(script)};
+  confinement.systemFolders = {"/usr/bin", "/usr/lib", "/usr/include"};
+  if (fs::exists("/usr/lib64")) confinement.systemFolders.emplace_back("/usr/lib64");
+  confinement.scratchBytes = scratchBytes;
+  confinement.limits.addressSpace = workplace.limits.memory;
+  confinement.limits.fileSize = workplace.limits.product;
+  confinement.limits.cpuSeconds = static_cast<unsigned>(workplace.limits.processorTime.count());
+  return confinement;
+}
+
+Confinement confinementOf(const Workplace& workplace, const Manifest& manifest, const Sources& sources,
+                          SandboxChoice sandbox, Build build, Rules rules) {
+  Confinement confinement = toolsConfinement(workplace, compileScript(workplace, sources, sandbox, build, rules));
+  for (VisibleFile& file : compilersView(workplace, manifest)) confinement.files.push_back(std::move(file));
   for (const auto& [name, content] : sources) {
     std::string text = content;
     if (build == Build::Sanitised) text = withFilledFlags(content);
@@ -85,24 +107,35 @@ Confinement confinementOf(const Workplace& workplace, const Manifest& manifest, 
   } else {
     addPrelude(workplace, confinement);
   }
-  if (!isOfTheSystem(workplace.compiler)) {
-    confinement.files.push_back({"/tools/" + workplace.compiler.filename().string(), workplace.compiler, "", true});
-  }
-  confinement.command = {"/usr/bin/sh", "-c", compileScript(workplace, sources, sandbox, build)};
-  confinement.systemFolders = {"/usr/bin", "/usr/lib", "/usr/include"};
-  if (fs::exists("/usr/lib64")) confinement.systemFolders.emplace_back("/usr/lib64");
   confinement.renamedFolders[build_paths::eigen] = "/eigen";
-  confinement.scratchBytes = scratchBytes;
-  confinement.limits.addressSpace = workplace.limits.memory;
-  confinement.limits.fileSize = workplace.limits.product;
   // A copy of the precompiled header is written under the same limit.
   if (const auto copy = std::ranges::find(confinement.files, workplace.prelude(), &VisibleFile::source);
       copy != confinement.files.end()) {
     confinement.limits.fileSize = std::max<std::size_t>(workplace.limits.product, fs::file_size(copy->source));
   }
-  confinement.limits.cpuSeconds = static_cast<unsigned>(workplace.limits.processorTime.count());
   return confinement;
 }
+
+std::string linkFlagsText(SandboxChoice sandbox, Build build) {
+  const bool isSanitised = build == Build::Sanitised;  // the host has the sanitizers' own symbols
+  return fmt::format("{}{} {}", linkFlags, isSanitised ? "" : " -Wl,-z,defs",
+                     joined(linkFlagsIn(sandbox, isSanitised)));
+}
+
+/// Takes the student's parts from behind the shared object.
+void splitParts(Compilation& compilation) {
+  std::string& report = compilation.run.report;
+  const std::size_t line = report.rfind(partsFollow);
+  if (line == std::string::npos) return;
+  const std::size_t bytes = std::strtoul(report.c_str() + line + std::string_view(partsFollow).size(), nullptr, 10);
+  report.resize(line);
+  if (bytes > compilation.run.out.size()) return;
+  compilation.parts = compilation.run.out.substr(bytes);
+  compilation.run.out.resize(bytes);
+}
+
+/// Regular expression of the assembler's name of a function in the global namespace, whatever its arguments.
+std::string assemblersName(const std::string& function) { return fmt::format("_Z{}{}", function.size(), function); }
 
 Compilation::Stage stageOf(const CommandResult& run) {
   if (run.timedOut || run.status.signalled) return Compilation::Stage::Elsewhere;
@@ -133,10 +166,10 @@ std::vector<VisibleFile> compilersView(const Workplace& workplace, const Manifes
 }
 
 /// Runs in the sandbox's root folder, which only some backends can make "/". Nothing of the student's runs here, only
-/// compiler, nm and linker do, each watched; the product leaves by stdout, the lists of what was read and of symbols by
-/// descriptor 3.
-std::string compileScript(const Workplace& workplace, const Sources& sources, SandboxChoice sandbox, Build build) {
-  const bool isSanitised = build == Build::Sanitised;
+/// compiler, nm and linker do, each watched; the product and the parts that it was linked of leave by stdout, the
+/// lists of what was read and of symbols by descriptor 3.
+std::string compileScript(const Workplace& workplace, const Sources& sources, SandboxChoice sandbox, Build build,
+                          Rules rules) {
   const std::string compiler = insideOf(workplace.compiler);
   std::string script = "cd tmp\n";
   for (const auto& [name, content] : sources) {
@@ -146,17 +179,20 @@ std::string compileScript(const Workplace& workplace, const Sources& sources, Sa
         "../submission/{} "
         "-o {} || exit {}\n",
         compilesWithClang() ? ToolWatch::command() : "", compiler, ToolWatch::compilerFlag(),
-        joined(compileFlags(build)), joined(dependencyFlags(object)), name, object, compileFailed);
+        joined(compileFlags(build)) + (rules == Rules::Lenient ? " -fpermissive" : ""), joined(dependencyFlags(object)),
+        name, object, compileFailed);
     script += fmt::format("cat {} >&3 || exit {}\n", joined(dependencyLists(object)), symbolsFailed);
   }
   return script + fmt::format(
                       "echo '{0}' >&3; {1}nm -P *.o >&3 || exit {2}\n"
-                      "{3} {4}{5}{6} {7} *.o {8} -o submission.so || exit {9}\n"
-                      "cat submission.so\n",
-                      symbolsFollow, ToolWatch::command(), symbolsFailed, compiler, ToolWatch::linkerFlag(), linkFlags,
-                      isSanitised ? "" : " -Wl,-z,defs",  // the host has the sanitizers' own symbols
-                      joined(linkFlagsIn(sandbox, isSanitised)),
-                      build == Build::Probe ? "" : "-Wl,--whole-archive ../glue.a -Wl,--no-whole-archive", linkFailed);
+                      "{3} {4}{5} *.o {6} -o submission.so || exit {7}\n"
+                      "{1}ld -r *.o -o parts || exit {2}\n"
+                      "echo \"{8}$(wc -c < submission.so)\" >&3\n"
+                      "cat submission.so parts\n",
+                      symbolsFollow, ToolWatch::command(), symbolsFailed, compiler, ToolWatch::linkerFlag(),
+                      linkFlagsText(sandbox, build),
+                      build == Build::Probe ? "" : "-Wl,--whole-archive ../glue.a -Wl,--no-whole-archive", linkFailed,
+                      partsFollow);
 }
 
 CompilePlace placeInSandbox() {
@@ -173,24 +209,65 @@ std::string compilerIdentity(const Workplace& workplace) {
 }
 
 Compilation compile(const Workplace& workplace, const Manifest& manifest, const Sources& sources,
-                    const Sandbox& sandbox, Build build) {
+                    const Sandbox& sandbox, Build build, Rules rules) {
   Compilation compilation;
   Capture capture;
   capture.limit = workplace.limits.wall;
-  capture.outBytes = workplace.limits.product;
+  capture.outBytes = 2 * workplace.limits.product;  // with the parts
   capture.errBytes = workplace.limits.words;
   capture.reportBytes = symbolBytes;
-  Confinement confinement = confinementOf(workplace, manifest, sources, sandbox.choice(), build);
+  Confinement confinement = confinementOf(workplace, manifest, sources, sandbox.choice(), build, rules);
   const ToolWatch watch;
   watch.addTo(confinement);
   compilation.run = sandbox.run(confinement, capture);
   compilation.stage = stageOf(compilation.run);
   compilation.endedFromOutside = compilation.stage != Compilation::Stage::Done && !watch.sawOwnFailure();
+  splitParts(compilation);
   const std::string& report = compilation.run.report;
   const std::size_t end = report.find(std::string(symbolsFollow) + "\n");
   compilation.dependencies = report.substr(0, end);
   if (end != std::string::npos) compilation.symbols = report.substr(end);
   return compilation;
+}
+
+/// The reference's object has all functions of the contract. Those that are not asked for become its own, so that the
+/// student's stay; the student's that are give way. A function of the student's that another one calls is found by its
+/// name when it is called (-fPIC without -fvisibility or -fno-semantic-interposition): nothing has been put in its
+/// place.
+std::string replacingScript(const Workplace& workplace, const std::vector<std::string>& functions,
+                            SandboxChoice sandbox, Build build) {
+  std::vector<std::string> names;
+  for (const std::string& function : functions) names.push_back("^" + assemblersName(function));
+  return fmt::format(
+      "cd tmp\n"
+      "nm -P ../reference.o | sed -n 's/^\\([^ ]*\\) T .*/\\1/p' > all\n"
+      "grep -E '{0}' all > asked || exit {1}\n"
+      "grep -vE '{0}' all > others\n"
+      "objcopy --weaken-symbols=asked ../parts.o student.o || exit {1}\n"
+      "objcopy --localize-symbols=others ../reference.o reference.o || exit {1}\n"
+      "{2} {3}{4} student.o reference.o -Wl,--whole-archive ../glue.a -Wl,--no-whole-archive -o submission.so || exit "
+      "{1}\n"
+      "cat submission.so\n",
+      fmt::join(names, "|"), linkFailed, insideOf(workplace.compiler), ToolWatch::linkerFlag(),
+      linkFlagsText(sandbox, build));
+}
+
+std::optional<std::string> linkReplaced(const Workplace& workplace, const Manifest& manifest, const fs::path& parts,
+                                        const std::vector<std::string>& functions, const Sandbox& sandbox,
+                                        Build build) {
+  Confinement confinement = toolsConfinement(workplace, replacingScript(workplace, functions, sandbox.choice(), build));
+  confinement.files.push_back({"/parts.o", parts, "", false});
+  confinement.files.push_back({"/reference.o", workplace.reference(manifest.topic), "", false});
+  confinement.files.push_back({"/glue.a", workplace.glue(manifest.topic), "", false});
+  const ToolWatch watch;
+  watch.addTo(confinement);
+  Capture capture;
+  capture.limit = workplace.limits.wall;
+  capture.outBytes = workplace.limits.product;
+  capture.errBytes = workplace.limits.words;
+  CommandResult run = sandbox.run(confinement, capture);
+  if (run.timedOut || !run.status.success()) return std::nullopt;
+  return std::move(run.out);
 }
 
 }  // namespace muelle::grader

@@ -4,6 +4,8 @@
 #include "grader/run/workplace.h"
 #include "grader/sandbox/sandbox.h"
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,7 @@ struct Compilation {
   enum class Stage { Compiling, Linking, Done, Elsewhere };
   Stage stage = Stage::Elsewhere;  ///< where it ended; Elsewhere: neither tool said so
   CommandResult run;               ///< out: the shared object; err: the tools' words
+  std::string parts;               ///< the student's files alone, compiled into one object that can be linked again
   std::string dependencies;        ///< lists of what compiler and assembler have read, as make reads them
   std::string symbols;             ///< `nm -P` of the student's objects
   bool endedFromOutside = false;   ///< it failed, and no tool has been seen to fail by itself
@@ -33,9 +36,15 @@ std::vector<VisibleFile> compilersView(const Workplace& workplace, const Manifes
 /// Where they lie in the sandbox, for judgeDependencies().
 CompilePlace placeInSandbox();
 
+/// How much is forgiven where every error is of one kind.
+enum class Rules {
+  Usual,
+  Lenient,  ///< a function of the contract that is static is taken for one that is missing
+};
+
 /// The commands that are run in the sandbox.
 std::string compileScript(const Workplace& workplace, const Sources& sources, SandboxChoice sandbox,
-                          Build build = Build::Plain);
+                          Build build = Build::Plain, Rules rules = Rules::Usual);
 
 /// Which compiler and linker: a new package makes new objects.
 std::string compilerIdentity(const Workplace& workplace);
@@ -43,6 +52,15 @@ std::string compilerIdentity(const Workplace& workplace);
 /// Compiles and links the sources into a shared object in the sandbox; nothing but what `Compilation` has leaves it.
 /// Throws std::runtime_error when the sandbox itself does not start.
 Compilation compile(const Workplace& workplace, const Manifest& manifest, const Sources& sources,
-                    const Sandbox& sandbox, Build build = Build::Plain);
+                    const Sandbox& sandbox, Build build = Build::Plain, Rules rules = Rules::Usual);
+
+/// The commands that link a student's parts with the reference's functions in the place of some of the student's.
+std::string replacingScript(const Workplace& workplace, const std::vector<std::string>& functions,
+                            SandboxChoice sandbox, Build build);
+
+/// Links so, in the sandbox. The object, or nothing when the tools fail. \param parts as Compilation has them
+std::optional<std::string> linkReplaced(const Workplace& workplace, const Manifest& manifest,
+                                        const std::filesystem::path& parts, const std::vector<std::string>& functions,
+                                        const Sandbox& sandbox, Build build);
 
 }  // namespace muelle::grader

@@ -85,7 +85,7 @@ void ExerciseRun::judge(std::size_t index, Try attempt) {
   const Criterion& criterion = manifest_.criteria[index];
   if (auto verdict = known(criterion)) return settle(criterion, std::move(*verdict));
   ++grader_.started_;
-  Verdict verdict = judgeCriterion(grader_.workplace(), grader_.records(), *candidate_, criterion, grader_.options());
+  Verdict verdict = judgeCriterion(grader_.judgingPlace(), *candidate_, criterion, grader_.options());
   if (attempt == Try::Shared && isDoubtful(verdict) && !isExpected(verdict)) {
     return pool_.addAlone([self = shared_from_this(), index] { self->judge(index, Try::Alone); });
   }

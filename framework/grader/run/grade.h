@@ -26,6 +26,7 @@ class Grader {
   const std::vector<Manifest>& wholeCourse() const { return wholeCourse_; }
   const GradeOptions& options() const { return options_; }
   const Sandbox& sandbox() const { return *sandbox_; }
+  JudgingPlace judgingPlace() const { return {workplace_, objects_, records_, *sandbox_}; }
   const Store& objects() const { return objects_; }
   const Store& records() const { return records_; }
 

@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "course/check/fault_sentences.h"
 #include "grader/record.h"
+#include "grader/run/follow.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -82,12 +83,22 @@ Verdict runHiddenProgram(const Workplace& workplace, const Candidate& candidate,
                             howItEnded(result), result.err.substr(0, 500)));
 }
 
-Verdict judgeOnce(const Workplace& workplace, const Candidate& candidate, const Criterion& criterion,
-                  const GradeOptions& options, Look look) {
+/// What is judged, and how.
+struct Judging {
+  const Workplace& workplace;
+  const Candidate& candidate;
+  const Criterion& criterion;
+  const GradeOptions& options;
+  const std::vector<std::string>& ownLower;
+};
+
+Verdict judgeOnce(const Judging& judging, Look look) {
+  const auto& [workplace, candidate, criterion, options, ownLower] = judging;
   try {
     const TemporaryFolder folder(workplace.work());
     std::vector<std::string> command = commandFor(workplace, candidate, options, look);
     command.insert(command.end(), {"--suite", criterion.suite});
+    if (!ownLower.empty()) command.insert(command.end(), {"--own-lower", fmt::format("{}", fmt::join(ownLower, ","))});
     return runHiddenProgram(workplace, candidate, criterion.suite, std::move(command), folder.path());
   } catch (const std::exception& error) {
     return broken(candidate, criterion.suite, error.what());
@@ -96,10 +107,9 @@ Verdict judgeOnce(const Workplace& workplace, const Candidate& candidate, const 
 
 /// The first of two looks, unless the sanitizers confirm a misuse of memory in the second. Nothing else of that costs
 /// points: processor time, stack and memory are dearer there, so that right code may run out of them.
-Verdict withSecondLook(const Workplace& workplace, const Candidate& candidate, const Criterion& criterion,
-                       const GradeOptions& options, Verdict first) {
-  if (candidate.object.sanitised.empty() || isDoubtful(first)) return first;
-  const Verdict second = judgeOnce(workplace, candidate, criterion, options, Look::Second);
+Verdict withSecondLook(const Judging& judging, Verdict first) {
+  if (judging.candidate.object.sanitised.empty() || isDoubtful(first)) return first;
+  const Verdict second = judgeOnce(judging, Look::Second);
   const bool isMachines = isDoubtful(second) && second.outcome != Outcome::Cpu;
   return second.isConfirmed || isMachines ? second : first;
 }
@@ -122,11 +132,10 @@ std::optional<std::string> luckyCall(const Verdict& one, const Verdict& other) {
 
 /// Where a test passes with one fill of what was never written and fails with the other, it depends on that, and has
 /// passed by luck.
-Verdict withOtherFill(const Workplace& workplace, const Candidate& candidate, const Criterion& criterion,
-                      const GradeOptions& options, Verdict first) {
+Verdict withOtherFill(const Judging& judging, Verdict first) {
   const bool isKnown = first.outcome == Outcome::NeverWritten;
-  if (candidate.object.refilled.empty() || isKnown || isDoubtful(first)) return first;
-  const Verdict second = judgeOnce(workplace, candidate, criterion, options, Look::OtherFill);
+  if (judging.candidate.object.refilled.empty() || isKnown || isDoubtful(first)) return first;
+  const Verdict second = judgeOnce(judging, Look::OtherFill);
   if (isDoubtful(second)) return second.outcome == Outcome::Cpu ? first : second;
   const std::optional<std::string> call = luckyCall(first, second);
   if (!call) return first;
@@ -187,14 +196,20 @@ void keepVerdict(const Workplace& workplace, const Store& store, const Candidate
   writeRecord(verdict, file);
 }
 
-Verdict judgeCriterion(const Workplace& workplace, const Store& store, const Candidate& candidate,
-                       const Criterion& criterion, const GradeOptions& options) {
-  const Verdict first = judgeOnce(workplace, candidate, criterion, options, Look::First);
-  Verdict verdict = withSecondLook(workplace, candidate, criterion, options,
-                                   withOtherFill(workplace, candidate, criterion, options, first));
+Verdict lookAtCriterion(const Workplace& workplace, const Candidate& candidate, const Criterion& criterion,
+                        const GradeOptions& options, const std::vector<std::string>& ownLower) {
+  const Judging judging{workplace, candidate, criterion, options, ownLower};
+  return withSecondLook(judging, withOtherFill(judging, judgeOnce(judging, Look::First)));
+}
+
+Verdict judgeCriterion(const JudgingPlace& place, const Candidate& candidate, const Criterion& criterion,
+                       const GradeOptions& options) {
+  const Verdict asItIs = lookAtCriterion(place.workplace, candidate, criterion, options, {});
+  if (isDoubtful(asItIs)) return asItIs;
+  Verdict verdict = followLower(place, candidate, criterion, options, asItIs);
   if (isDoubtful(verdict)) return verdict;
   try {
-    keepVerdict(workplace, store, candidate, criterion, options, verdict);
+    keepVerdict(place.workplace, place.records, candidate, criterion, options, verdict);
     return verdict;
   } catch (const std::exception& error) {  // a verdict that cannot be kept is none: the next run would say otherwise
     return broken(candidate, criterion.suite, error.what());

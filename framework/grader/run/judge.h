@@ -5,6 +5,8 @@
 #include "grader/verdict.h"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace muelle::grader {
 
@@ -16,6 +18,14 @@ struct Candidate {
   BuiltObject object;
 };
 
+/// Where candidates are judged and what is found is kept.
+struct JudgingPlace {
+  const Workplace& workplace;
+  const Store& objects;
+  const Store& records;
+  const Sandbox& sandbox;
+};
+
 /// The verdict that need not be found again: a record without a fault of ours or the machine's.
 std::optional<Verdict> keptVerdict(const Workplace& workplace, const Store& store, const Candidate& candidate,
                                    const Criterion& criterion, const GradeOptions& options);
@@ -23,9 +33,13 @@ std::optional<Verdict> keptVerdict(const Workplace& workplace, const Store& stor
 /// Runs one criterion's hidden tests in a process of their own and returns its record; keeps it when it is certain.
 /// A missing or unreadable record is our fault. After the second look (when the candidate has a sanitised object) the
 /// verdict is the worse of both; where it depends on the fill of memory (when there is an object with another), it is
-/// Outcome::NeverWritten.
-Verdict judgeCriterion(const Workplace& workplace, const Store& store, const Candidate& candidate,
-                       const Criterion& criterion, const GradeOptions& options);
+/// Outcome::NeverWritten. One that failed may be earned in spite of a lower function (follow.h).
+Verdict judgeCriterion(const JudgingPlace& place, const Candidate& candidate, const Criterion& criterion,
+                       const GradeOptions& options);
+
+/// All looks of that, and nothing more. \param ownLower the functions of which given::f is the student's
+Verdict lookAtCriterion(const Workplace& workplace, const Candidate& candidate, const Criterion& criterion,
+                        const GradeOptions& options, const std::vector<std::string>& ownLower);
 
 /// True for a verdict of a death or a wide limit: to be tried once more, alone.
 bool isDoubtful(const Verdict& verdict);

@@ -32,7 +32,7 @@ std::string digestOf(const fs::path& file) {
 /// What runs a verdict's test, its entry in the manifest included.
 std::string testingKey(const Workplace& workplace, const Manifest& manifest, const std::string& what,
                        const std::string& objectKey, const GradeOptions& options) {
-  return digest({"verdict 3", objectKey, what, digestOf(workplace.hiddenProgram(manifest.topic)),
+  return digest({"verdict 4", objectKey, what, digestOf(workplace.hiddenProgram(manifest.topic)),
                  digestOf(workplace.host), digestOf(workplace.sanitisedHost), options.seed});
 }
 
@@ -52,7 +52,7 @@ std::string objectKey(const Workplace& workplace, const Manifest& manifest, cons
                       SandboxChoice sandbox) {
   std::string headers;
   for (const VisibleFile& header : compilersView(workplace, manifest)) headers += digestOf(header.source);
-  return digest({"object 4", manifest.topic, digestOfSources(sources), headers,
+  return digest({"object 5", manifest.topic, digestOfSources(sources), headers,
                  compileScript(workplace, sources, sandbox), compilerIdentity(workplace), toText(sandbox),
                  workplace.judgesSymbols ? symbolRules() : "unjudged"});
 }
@@ -60,7 +60,10 @@ std::string objectKey(const Workplace& workplace, const Manifest& manifest, cons
 std::string verdictKey(const Workplace& workplace, const Manifest& manifest, const Criterion& criterion,
                        const std::string& objectKey, const GradeOptions& options) {
   const std::string what = fmt::format("{}:{}", criterion.suite, fmt::join(criterion.functions, ","));
-  return testingKey(workplace, manifest, what, objectKey, options);
+  if (criterion.follows.empty()) return testingKey(workplace, manifest, what, objectKey, options);
+  const std::string follows =
+      fmt::format("{}:{}:{}", what, fmt::join(criterion.follows, ","), digestOf(workplace.reference(manifest.topic)));
+  return testingKey(workplace, manifest, follows, objectKey, options);
 }
 
 std::string curvesKey(const Workplace& workplace, const Manifest& manifest, const std::string& objectKey,

@@ -34,6 +34,10 @@ struct Workplace {
   std::filesystem::path prelude() const { return binary / "prelude" / "prelude.h.gch"; }
   /// The trusted half of every worker of this exercise: dispatch table and codecs.
   std::filesystem::path glue(const std::string& topic) const { return binary / "lib" / ("libglue_" + topic + ".a"); }
+  /// The solution, compiled as a student's file is.
+  std::filesystem::path reference(const std::string& topic) const {
+    return binary / "lib" / ("reference_" + topic + ".o");
+  }
   std::filesystem::path hiddenProgram(const std::string& topic) const {
     return binary / "hidden" / ("hidden_" + topic);
   }

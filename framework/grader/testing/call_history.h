@@ -97,6 +97,8 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
     return wrong >= fewestWrong;
   }
 
+ public:
+  /// The numbers of a call: the result, if any, then the out-parameters.
   static std::vector<double> evaluate(const Hypothesis& function, std::tuple<std::decay_t<Args>...> arguments) {
     std::vector<double> numbers;
     const auto invoke = [&function](auto&... argument) -> Result { return function(static_cast<Args>(argument)...); };
@@ -110,6 +112,7 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
     return numbers;
   }
 
+ private:
   /// Where a result cancels to nothing, the round-off of the arguments is left.
   static double roundOffOf(const std::tuple<std::decay_t<Args>...>& arguments) {
     std::vector<double> numbers;

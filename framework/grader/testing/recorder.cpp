@@ -46,7 +46,7 @@ void Recorder::OnTestStart(const ::testing::TestInfo&) {
 void Recorder::OnTestPartResult(const ::testing::TestPartResult& part) {
   if (!part.failed()) return;
   if (current_.call.empty()) current_.call = session_.lastCall();
-  if (!session_.fault().empty() || !session_.graderFault().empty()) return;
+  if (session_.hasFailed() || !session_.graderFault().empty()) return;
   const bool exception = std::string_view(part.message()).starts_with("C++ exception");
   if (exception) session_.noteGraderFault("a hidden test threw: " + std::string(part.message()));
   if (current_.mismatches.size() < mostMismatches) current_.mismatches.push_back(mismatchOf(part, session_.lastCall()));
@@ -56,10 +56,22 @@ void Recorder::OnTestEnd(const ::testing::TestInfo& info) {
   current_.name = info.name();
   current_.property = propertyOf(info);
   current_.passed = info.result()->Passed();
+  called_.resize(verdict_.tests.size());  // what the record had before has called nothing
   verdict_.tests.push_back(current_);
+  called_.push_back(session_.called());
+}
+
+/// A test that has believed a function of changing answers has not passed.
+void Recorder::withdraw() {
+  for (std::size_t i = 0; i < called_.size(); ++i) {
+    for (const std::string& function : session_.unreliable()) {
+      if (called_[i].contains(function)) verdict_.tests[i].passed = false;
+    }
+  }
 }
 
 void Recorder::OnTestProgramEnd(const ::testing::UnitTest& program) {
+  withdraw();
   const bool isClean = session_.fault().empty() && session_.graderFault().empty();
   if (isClean && program.Passed() && !verdict_.tests.empty()) verdict_.outcome = Outcome::Passed;
 }

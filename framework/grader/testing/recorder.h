@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+#include <vector>
+
 namespace muelle::grader {
 
 /// Listens to GoogleTest and fills a verdict.
@@ -17,9 +21,12 @@ class Recorder : public ::testing::EmptyTestEventListener {
   void OnTestProgramEnd(const ::testing::UnitTest& program) override;
 
  private:
+  void withdraw();
+
   Session& session_;
   Verdict& verdict_;
   TestOutcome current_;
+  std::vector<std::set<std::string>> called_;  ///< the functions that each test of the record has called
 };
 
 }  // namespace muelle::grader

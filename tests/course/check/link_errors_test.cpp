@@ -2,6 +2,7 @@
 /// The words of mold and of GNU ld for the same mistakes.
 
 #include "course/check/diagnostics.h"
+#include "course/check/missing_functions.h"
 
 #include <gtest/gtest.h>
 
@@ -52,6 +53,11 @@ TEST(LinkErrors, AnInlineFunctionIsNoneForOthers) {
             declaration + "      = spring.cpp:2 is inline: nothing outside the file can call it; remove inline\n");
 }
 
+TEST(LinkErrors, AStaticFunctionIsNoneForOthers) {
+  EXPECT_EQ(explain(mold, "\nstatic Vec3 springForce(const Vec3& xa) { return xa; }\n"),
+            declaration + "      = spring.cpp:2 is static: nothing outside the file can call it; remove static\n");
+}
+
 TEST(LinkErrors, OfManyTheFirstFewAreShown) {
   std::string words;
   for (int i = 0; i < 400; ++i) words += "mold: error: undefined symbol: helper" + std::to_string(i) + "(double)\n";
@@ -87,6 +93,30 @@ TEST(LinkErrors, MainIsForTheCheckingProgram) {
 
 TEST(LinkErrors, OtherWordsAreShownCut) {
   EXPECT_EQ(explain("ld: cannot find -lfoo\n", ""), "ld: cannot find -lfoo\n");
+}
+
+TEST(MissingFunctions, AreThoseOfTheContractWhereNothingElseIsWrong) {
+  EXPECT_EQ(missingFunctions(mold, springContract), std::vector<std::string>{"springForce"});
+  EXPECT_EQ(missingFunctions(gnu, springContract), std::vector<std::string>{"springForce"});
+  EXPECT_TRUE(missingFunctions(mold + "mold: error: undefined symbol: helper(double)\n", springContract).empty());
+  EXPECT_TRUE(missingFunctions(mold + "mold: error: duplicate symbol: a.o: b.o: main\n", springContract).empty());
+}
+
+TEST(MissingFunctions, AreDefinedWithWhatIsToBeSaidOfThem) {
+  const std::vector<StudentFile> files{{"spring.cpp", "inline Vec3 springForce(Vec3 xa) { return xa; }\n"}};
+  const std::string source = missingSource({"springForce"}, files, springContract, "spring.h");
+  EXPECT_NE(source.find("Vec3 springForce(const Vec3& xa, const Vec3& xb, double k, double L0) {"), std::string::npos)
+      << source;
+  EXPECT_NE(source.find("springForce is missing: spring.cpp:1 is inline"), std::string::npos) << source;
+}
+
+TEST(MissingFunctions, MayBeStaticOnes) {
+  const std::vector<StudentFile> files{{"spring.cpp", "static double f() { return 1; }\n"}};
+  const std::string isStatic =
+      "spring.cpp:1:15: error: 'double f()' was declared 'extern' and later 'static' [-fpermissive]\n";
+  EXPECT_TRUE(complainsOfStaticAlone(isStatic, files));
+  EXPECT_FALSE(complainsOfStaticAlone(isStatic + "spring.cpp:1:20: error: expected ';'\n", files));
+  EXPECT_FALSE(complainsOfStaticAlone("", files));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "spring_1d.h"
 
+#include "grader/testing/arguments.h"
 #include "grader/testing/mistakes.h"
 
 #include <limits>
@@ -201,3 +202,55 @@ MUELLE_MISTAKE(accelerationBetween, same_constants_twice,
                  return (forceOf(x, {lower.x, upper.k, upper.L0}) + forceOf(x, upper)) / m - g;
                });
 }  // namespace of_upper
+
+// ------------------------------------------------------------------------------------------- arguments in general
+// position
+
+namespace {
+
+using muelle::Random;
+
+struct GeneralSpring {
+  double xa, xb, k, L0;
+};
+
+/// Stretched or compressed, on either side.
+GeneralSpring generalSpring(Random& random) {
+  const double xb = random.number(-2.0, 2.0), L0 = random.number(0.4, 1.6);
+  const double L = L0 * random.number(0.3, 1.9);
+  return {random.integer(0, 1) == 0 ? xb + L : xb - L, xb, random.positive(5.0, 500.0), L0};
+}
+
+Attachment generalAttachment(Random& random) {
+  return {random.number(-3.0, 3.0), random.positive(5.0, 500.0), random.number(0.4, 1.6)};
+}
+
+}  // namespace
+
+MUELLE_ARGUMENTS(lumpedMass, [](Random& random) {
+  const double M = random.positive(0.1, 50.0);
+  const int n = random.integer(2, 40);
+  return std::tuple(M, n);
+});
+
+MUELLE_ARGUMENTS(springForceOnA, [](Random& random) {
+  const auto [xa, xb, k, L0] = generalSpring(random);
+  return std::tuple(xa, xb, k, L0);
+});
+
+MUELLE_ARGUMENTS(springForceOnB, [](Random& random) {
+  const auto [xa, xb, k, L0] = generalSpring(random);
+  return std::tuple(xa, xb, k, L0);
+});
+
+MUELLE_ARGUMENTS(hangingAcceleration, [](Random& random) {
+  const double x = random.number(-1.0, 1.0), m = random.positive(0.2, 5.0), g = random.number(1.0, 20.0);
+  const Attachment top = generalAttachment(random);
+  return std::tuple(x, m, top, g);
+});
+
+MUELLE_ARGUMENTS(accelerationBetween, [](Random& random) {
+  const double x = random.number(-1.0, 1.0), m = random.positive(0.2, 5.0), g = random.number(1.0, 20.0);
+  const Attachment lower = generalAttachment(random), upper = generalAttachment(random);
+  return std::tuple(x, m, lower, upper, g);
+});

@@ -12,14 +12,14 @@ double springForceOnA(double xa, double xb, double k, double L0) {
   return 0.0;
 }
 
-double springForceOnB(double xa, double xb, double k, double L0) { return springForceOnA(xb, xa, k, L0); }
+double springForceOnB(double xa, double xb, double k, double L0) { return -given::springForceOnA(xa, xb, k, L0); }
 
 double hangingAcceleration(double x, double m, const Attachment& top, double g) {
-  return (springForceOnB(top.x, x, top.k, top.L0) - m * g) / m;
+  return (given::springForceOnA(x, top.x, top.k, top.L0) - m * g) / m;
 }
 
 double accelerationBetween(double x, double m, const Attachment& lower, const Attachment& upper, double g) {
-  return oracle::hangingAcceleration(x, m, upper, g) + springForceOnB(lower.x, x, lower.k, lower.L0) / m;
+  return given::hangingAcceleration(x, m, upper, g) + given::springForceOnA(x, lower.x, lower.k, lower.L0) / m;
 }
 
 }  // namespace oracle

@@ -161,7 +161,7 @@ TEST(ThirdLaw, MomentumIsConserved) {
     return muelle::march(system, {0.0, {1.4, 0.0}, {0.2, -0.5}, {}}, options);
   };
   const Trajectory run = momentum(submission::springForceOnA, submission::springForceOnB);
-  const Trajectory reference = momentum(oracle::springForceOnA, oracle::springForceOnB);
+  const Trajectory reference = momentum(given::springForceOnA, oracle::springForceOnB);
   ASSERT_EQ(run.t.size(), reference.t.size()) << "the simulation stopped early: " << run.stop.message;
   for (std::size_t i = 0; i < run.t.size(); ++i) {
     // The method adds h (Fa + Fb) to the momentum in a step: nothing but rounding when the forces are opposite.

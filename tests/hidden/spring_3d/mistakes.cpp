@@ -1,5 +1,6 @@
 #include "spring_3d.h"
 
+#include "grader/testing/arguments.h"
 #include "grader/testing/mistakes.h"
 
 #include <limits>
@@ -221,3 +222,49 @@ MUELLE_MISTAKE(nodeAcceleration, first_spring_only,
                  const Vec3 force = springs.empty() ? Vec3(0, 0, 0) : forceOf(x, springs.front());
                  return Vec3(force / m - Vec3(0, 0, g));
                });
+
+// ------------------------------------------------------------------------------------------- arguments in general
+// position
+
+namespace {
+
+using muelle::Random;
+
+struct GeneralSpring {
+  Vec3 xa, xb;
+  double k, L0;
+};
+
+/// Stretched or compressed, in any direction.
+GeneralSpring generalSpring(Random& random) {
+  const Vec3 xb = random.vector3(2.0);
+  const double L0 = random.number(0.4, 1.6);
+  return {xb + L0 * random.number(0.3, 1.9) * random.direction(), xb, random.positive(5.0, 500.0), L0};
+}
+
+}  // namespace
+
+MUELLE_ARGUMENTS(springForceMagnitude, [](Random& random) {
+  const auto [xa, xb, k, L0] = generalSpring(random);
+  return std::tuple(xa, xb, k, L0);
+});
+
+MUELLE_ARGUMENTS(springDirection, [](Random& random) {
+  const auto [xa, xb, k, L0] = generalSpring(random);
+  return std::tuple(xa, xb);
+});
+
+MUELLE_ARGUMENTS(springForce, [](Random& random) {
+  const auto [xa, xb, k, L0] = generalSpring(random);
+  return std::tuple(xa, xb, k, L0);
+});
+
+MUELLE_ARGUMENTS(nodeAcceleration, [](Random& random) {
+  const Vec3 x = random.vector3(1.0);
+  const double m = random.positive(0.2, 5.0), g = random.number(1.0, 20.0);
+  std::vector<Attachment> springs;
+  for (int i = 0; i < 3; ++i) {
+    springs.push_back({random.vector3(3.0), random.positive(5.0, 500.0), random.number(0.4, 1.6)});
+  }
+  return std::tuple(x, m, springs, g);
+});
