@@ -27,9 +27,9 @@ TEST_F(Follow, OneMistakeCostsTheCriteriaOfItsOwnFunction) {
   const GradedExercise graded = grade(begin + mass + halved + above);
   EXPECT_EQ(lost(graded), ownCriteria);
   EXPECT_EQ(score(graded), 5.0);
-  EXPECT_EQ(followedSentences(graded),
-            std::vector<std::string>{
-                "one mistake, in springForceOnA, costs these 5 points; what you built on it is right."});
+  EXPECT_EQ(
+      followedSentences(graded),
+      std::vector<std::string>{"one mistake, in springForceOnA, costs these 5 points; what you built on it is right."});
 }
 
 TEST_F(Follow, TheReferencesFunctionIsTheOneThatTheStudentsCalls) {
@@ -49,8 +49,8 @@ TEST_F(Follow, WhatUsesAHelperOfItsOwnIsHeldAgainstTheStudentsOwnAnswers) {
       "double hangingAcceleration(double x, double m, const Attachment& top, double g) {\n"
       "  return half(x, top.x, top.k, top.L0) / m - g;\n"
       "}\n";
-  const GradedExercise graded = grade(begin + helper + mass + forceReturning("return half(xa, xb, k, L0);") + forceOnB +
-                                      hangsOnHelper + between);
+  const GradedExercise graded =
+      grade(begin + helper + mass + forceReturning("return half(xa, xb, k, L0);") + forceOnB + hangsOnHelper + between);
   EXPECT_FALSE(followed(graded, "HangingNode").empty());
   EXPECT_EQ(lost(graded).find("HangingNode"), std::string::npos) << lost(graded);
 }
@@ -85,7 +85,8 @@ TEST_F(Follow, WithoutAnArgumentAForceIsOfUseOnlyAsANamedMistake) {
 
 TEST_F(Follow, OfTheRunsThatAskItNothingIsShown) {
   const std::string talking = forceReturning(
-      "std::printf(\"asked %g\\n\", xa); const double L = std::abs(xa - xb); return L == 0 ? 0 : -k / 2 * (L - L0) * (xa "
+      "std::printf(\"asked %g\\n\", xa); const double L = std::abs(xa - xb); return L == 0 ? 0 : -k / 2 * (L - L0) * "
+      "(xa "
       "- xb) / L;");
   const GradedExercise graded = grade("#include <cstdio>\n" + begin + mass + talking + above);
   const Verdict& verdict = graded.verdicts.at("NodeBetween");

@@ -21,8 +21,7 @@ GradedSubmission followedSubmission() {
   return graded;
 }
 
-constexpr const char* expected =
-    "one mistake, in springForce, costs these 4 points; what you built on it is right.";
+constexpr const char* expected = "one mistake, in springForce, costs these 4 points; what you built on it is right.";
 
 int count(const std::string& text) {
   int found = 0;

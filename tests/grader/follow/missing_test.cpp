@@ -12,9 +12,7 @@ using Missing = SpringGrading;
 /// The criteria that judge springForceOnB.
 constexpr const char* ofForceOnB = "ThirdLaw ZeroLength ShortSpring";
 
-std::string withForceOnB(const std::string& function) {
-  return begin + mass + forceOnA + function + hanging + between;
-}
+std::string withForceOnB(const std::string& function) { return begin + mass + forceOnA + function + hanging + between; }
 
 TEST_F(Missing, AFunctionThatIsNotThereIsNamed) {
   const GradedExercise graded = grade(withForceOnB(""));
@@ -27,22 +25,23 @@ TEST_F(Missing, AFunctionThatIsNotThereIsNamed) {
 TEST_F(Missing, AStaticFunctionIsCalledStatic) {
   const GradedExercise graded = grade(withForceOnB("static " + forceOnB));
   EXPECT_EQ(lost(graded), ofForceOnB) << graded.build.message << graded.build.diagnostics;
-  EXPECT_NE(graded.verdicts["ThirdLaw"].fault.find("is static: nothing outside the file can call it; remove static"),
+  EXPECT_NE(graded.verdicts.at("ThirdLaw").fault.find("is static: nothing outside the file can call it; remove static"),
             std::string::npos)
-      << graded.verdicts["ThirdLaw"].fault;
+      << graded.verdicts.at("ThirdLaw").fault;
 }
 
 TEST_F(Missing, AnInlineFunctionIsCalledInline) {
   const GradedExercise graded = grade(withForceOnB("inline " + forceOnB));
   EXPECT_EQ(lost(graded), ofForceOnB);
-  EXPECT_NE(graded.verdicts["ThirdLaw"].fault.find("is inline"), std::string::npos) << graded.verdicts["ThirdLaw"].fault;
+  EXPECT_NE(graded.verdicts.at("ThirdLaw").fault.find("is inline"), std::string::npos)
+      << graded.verdicts.at("ThirdLaw").fault;
 }
 
 TEST_F(Missing, AnotherSignatureIsSaidToBeOne) {
-  const GradedExercise graded = grade(
-      withForceOnB("double springForceOnB(double xa, double xb, double k) { return -springForceOnA(xa, xb, k, 1); }\n"));
+  const GradedExercise graded = grade(withForceOnB(
+      "double springForceOnB(double xa, double xb, double k) { return -springForceOnA(xa, xb, k, 1); }\n"));
   EXPECT_EQ(lost(graded), ofForceOnB);
-  EXPECT_NE(graded.verdicts["ThirdLaw"].fault.find("other argument types"), std::string::npos);
+  EXPECT_NE(graded.verdicts.at("ThirdLaw").fault.find("other argument types"), std::string::npos);
 }
 
 TEST_F(Missing, WhatIsBuiltOnAMissingFunctionIsJudgedWithTheReferences) {

@@ -3,26 +3,33 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <utility>
 
 namespace muelle::grader {
 
 namespace fs = std::filesystem;
 
-SpringGrading::SpringGrading() : kept_(fs::temp_directory_path()) {
+namespace {
+
+Grader springGrader(const fs::path& kept) {
   Workplace workplace = Workplace::ofThisBuild();
-  workplace.kept = kept_.path() / "kept";
+  workplace.kept = kept;
   const char* name = std::getenv("MUELLE_SANDBOX");
   GradeOptions options;
   options.sandbox = parseSandboxChoice(name != nullptr ? name : "");
   options.seed = "a seed of these tests";
   options.withCurves = false;
-  grader_ = std::make_unique<Grader>(openGrader(workplace, options, {"spring_1d"}));
+  return openGrader(workplace, options, {"spring_1d"});
 }
+
+}  // namespace
+
+SpringGrading::SpringGrading() : kept_(fs::temp_directory_path()), grader_(springGrader(kept_.path() / "kept")) {}
 
 GradedExercise SpringGrading::grade(const std::string& source) {
   const fs::path file = kept_.path() / "spring_1d.cpp";
   writeFile(file, source);
-  GradedExercise graded = muelle::grader::grade(*grader_, grader_->take(file), 2).exercises.front();
+  GradedExercise graded = muelle::grader::grade(grader_, grader_.take(file), 2).exercises.front();
   for (const Criterion& criterion : graded.manifest.criteria) {
     EXPECT_EQ(graderFault(criterion, graded), "") << criterion.suite;
   }
@@ -44,7 +51,7 @@ std::vector<std::string> SpringGrading::followed(const GradedExercise& graded, c
 }
 
 int SpringGrading::startedSince() {
-  const int before = std::exchange(started_, grader_->started());
+  const int before = std::exchange(started_, grader_.started());
   return started_ - before;
 }
 

@@ -4,13 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <string>
+#include <vector>
 
 namespace muelle::grader {
 
-/// Grades texts of spring_1d.cpp as `muelle grade` does, with the sandbox of MUELLE_SANDBOX or the strongest that works.
-/// What one test keeps is thrown away after it.
+/// Grades texts of spring_1d.cpp as `muelle grade` does, with the sandbox of MUELLE_SANDBOX or the strongest that
+/// works. What one test keeps is thrown away after it.
 class SpringGrading : public ::testing::Test {
  protected:
   SpringGrading();
@@ -26,7 +26,7 @@ class SpringGrading : public ::testing::Test {
 
  private:
   TemporaryFolder kept_;
-  std::unique_ptr<Grader> grader_;
+  Grader grader_;
   int started_ = 0;
 };
 
@@ -48,7 +48,8 @@ inline const std::string hanging =
     "}\n";
 inline const std::string between =
     "double accelerationBetween(double x, double m, const Attachment& lower, const Attachment& upper, double g) {\n"
-    "  const double f = springForceOnA(x, lower.x, lower.k, lower.L0) + springForceOnA(x, upper.x, upper.k, upper.L0);\n"
+    "  const double f = springForceOnA(x, lower.x, lower.k, lower.L0) + springForceOnA(x, upper.x, upper.k, "
+    "upper.L0);\n"
     "  return f / m - g;\n"
     "}\n";
 inline const std::string above = forceOnB + hanging + between;

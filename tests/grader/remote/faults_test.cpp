@@ -32,7 +32,7 @@ void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.says; }
 
 class Misbehaviour : public muelle::grader::FixtureSession, public ::testing::WithParamInterface<Fault> {};
 
-TEST_P(Misbehaviour, IsNamedAndEndsTheSession) {
+TEST_P(Misbehaviour, IsNamedAndEndsTheCallsOfItsFunction) {
   SessionLimits limits;
   limits.call = milliseconds(300);
   limits.callWall = milliseconds(4000);
@@ -52,7 +52,13 @@ TEST_P(Misbehaviour, IsNamedAndEndsTheSession) {
   EXPECT_EQ(session().graderFault(), "");
   EXPECT_EQ(session().fault(), words);
   EXPECT_EQ(session().outcome(), GetParam().outcome) << nameOf(session().outcome());
-  EXPECT_THROW(submission::sum(1, 2, false), SubmissionFault) << "nothing is believed afterwards";
+  EXPECT_THROW(submission::misbehave(GetParam().how), SubmissionFault) << "it is not believed afterwards";
+  if (GetParam().outcome == Outcome::Forbidden) {
+    EXPECT_THROW(submission::sum(1, 2, false), SubmissionFault) << "nothing is believed afterwards";
+  } else {
+    EXPECT_EQ(submission::sum(1, 2, false), 3) << "the other functions are asked in a fresh worker";
+  }
+  EXPECT_EQ(session().fault(), words);
 }
 
 using namespace misbehaviour;
@@ -94,6 +100,14 @@ TEST_F(Faults, ChangedAnswersAreFoundOut) {
   };
   EXPECT_THROW(manyCalls(), SubmissionFault);
   EXPECT_NE(session().fault().find("gave another answer when it was asked the same again"), std::string::npos);
+}
+
+TEST_F(Faults, AChangedAnswerOfAnotherFunctionIsThatFunctionsAlone) {
+  for (int i = 0; i < 5; ++i) submission::misbehave(CountCalls);  // too few to be asked again, as the seed has it
+  for (int i = 0; i < 200; ++i) EXPECT_EQ(submission::sum(i, 2, false), i + 2);
+  EXPECT_NE(session().fault().find("misbehave gave another answer"), std::string::npos) << session().fault();
+  EXPECT_TRUE(session().unreliable().contains("misbehave")) << "a test that has believed it is withdrawn";
+  EXPECT_THROW(submission::misbehave(CountCalls), SubmissionFault);
 }
 
 TEST_F(Faults, OutputIsDrainedAndCut) {
