@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "course/testing/mismatch_text.h"
+#include "grader/evidence_json.h"
 
 #include <algorithm>
 #include <fstream>
@@ -96,9 +97,7 @@ Verdict verdictFromJson(const json& document) {
   verdict.outcome = outcomeNamed(outcome);
   if (nameOf(verdict.outcome) != outcome) throw std::runtime_error("a record of an unknown outcome");
   for (const json& test : document.at("tests")) verdict.tests.push_back(testFromJson(test));
-  for (const json& mistake : document.at("misconceptions")) {
-    verdict.misconceptions.push_back({mistake.at("id"), mistake.at("function")});
-  }
+  verdict.evidence = evidenceFromJson(document.at("evidence"));
   document.at("fault").get_to(verdict.fault);
   document.at("confirmed").get_to(verdict.isConfirmed);
   document.at("grader_fault").get_to(verdict.graderFault);
@@ -119,16 +118,12 @@ bool Verdict::passed() const {
 void writeRecord(const Verdict& verdict, const std::filesystem::path& file) {
   json tests = json::array();
   for (const TestOutcome& test : verdict.tests) tests.push_back(toJson(test));
-  json mistakes = json::array();
-  for (const NamedMistake& mistake : verdict.misconceptions) {
-    mistakes.push_back({{"id", mistake.id}, {"function", mistake.function}});
-  }
   writeFile(file, dump({{"version", version},
                         {"topic", verdict.topic},
                         {"suite", verdict.suite},
                         {"outcome", nameOf(verdict.outcome)},
                         {"tests", tests},
-                        {"misconceptions", mistakes},
+                        {"evidence", toJson(verdict.evidence)},
                         {"fault", verdict.fault},
                         {"confirmed", verdict.isConfirmed},
                         {"grader_fault", verdict.graderFault},

@@ -2,6 +2,7 @@
 #include "course/check/outcome.h"
 #include "course/manifest.h"
 #include "course/testing/mismatch.h"
+#include "grader/evidence.h"
 
 #include <filesystem>
 #include <map>
@@ -20,10 +21,12 @@ struct TestOutcome {
   std::string call;                  ///< the latest call before the first failure, as source; "" when none
 };
 
-/// A misconception of the manifest that explains every answer of one function.
+/// A mistake that explains every answer of one function, in all criteria.
 struct NamedMistake {
-  std::string id;
-  std::string function;
+  std::string id;        ///< of the manifest, or of generic_mistakes.h
+  std::string function;  ///< that shows it
+  std::string says;      ///< first line of the feedback
+  std::string hint;      ///< how to mend it; may be ""
   bool operator==(const NamedMistake&) const = default;
 };
 
@@ -33,7 +36,8 @@ struct Verdict {
   std::string suite;
   Outcome outcome = Outcome::Wrong;  ///< Killed and Wall are the machine's word: no score
   std::vector<TestOutcome> tests;
-  std::vector<NamedMistake> misconceptions;  ///< those whose numbers match exactly
+  Evidence evidence;                   ///< what the calls say, for nameMistakes()
+  std::vector<NamedMistake> mistakes;  ///< named by the pool, over all criteria: not part of the record
   std::string fault;  ///< what the student's code did (crash, time-out, forbidden call ...), one line; "" when nothing
   bool isConfirmed = false;  ///< the fault is a sanitizer's finding, of the kinds that the second look is made for
   std::string graderFault;   ///< what went wrong on our side; not empty: no score, run again

@@ -30,3 +30,8 @@
 /// Must stand before MUELLE_FUNCTIONS.
 #define MUELLE_STRUCT(Type, ...)
 #endif
+
+/// States what may be passed for a parameter, a struct's field, or the length of a list of that name: from the least to
+/// the most, both included. For a reader, and for the tests of the tests, which see to it that both ends are passed;
+/// the compiler sees nothing of it.
+#define MUELLE_RANGE(name, least, most)

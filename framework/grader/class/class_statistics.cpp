@@ -72,18 +72,25 @@ std::set<std::string> mistakesOf(const GradedExercise& exercise) {
   return ids;
 }
 
-std::string wordsOf(const std::string& id, const Manifest& manifest) {
-  const auto known = std::ranges::find(manifest.misconceptions, id, &Misconception::id);
-  return known == manifest.misconceptions.end() ? "" : known->says;
+/// As the manifest says it, or, of a mistake that any function may hold, as the first student was told.
+std::string wordsOf(const std::string& id, const GradedExercise& exercise) {
+  const std::vector<Misconception>& stated = exercise.manifest.misconceptions;
+  if (const auto known = std::ranges::find(stated, id, &Misconception::id); known != stated.end()) return known->says;
+  for (const auto& [suite, verdict] : exercise.verdicts) {
+    const auto named = std::ranges::find(verdict.mistakes, id, &NamedMistake::id);
+    if (named != verdict.mistakes.end()) return named->says;
+  }
+  return "";
 }
 
-void count(const std::string& id, const Manifest& manifest, std::vector<MistakeStatistics>& mistakes) {
+void count(const std::string& id, const GradedExercise& exercise, std::vector<MistakeStatistics>& mistakes) {
+  const Manifest& manifest = exercise.manifest;
   const auto known = std::ranges::find_if(
       mistakes, [&](const MistakeStatistics& mistake) { return mistake.id == id && mistake.topic == manifest.topic; });
   if (known != mistakes.end()) {
     ++known->students;
   } else {
-    mistakes.push_back({manifest.topic, id, wordsOf(id, manifest), 1});
+    mistakes.push_back({manifest.topic, id, wordsOf(id, exercise), 1});
   }
 }
 
@@ -93,7 +100,7 @@ std::vector<MistakeStatistics> commonestFirst(const GradedClass& graded) {
     for (const ClassRow& row : graded.rows) {
       const GradedExercise* exercise = row.exercise(manifest.topic);
       if (exercise == nullptr) continue;
-      for (const std::string& id : mistakesOf(*exercise)) count(id, manifest, mistakes);
+      for (const std::string& id : mistakesOf(*exercise)) count(id, *exercise, mistakes);
     }
   }
   std::ranges::stable_sort(mistakes, std::ranges::greater{}, &MistakeStatistics::students);
@@ -116,7 +123,7 @@ std::vector<std::string> mistakesOf(const Criterion& criterion, const GradedExer
   const auto verdict = exercise.verdicts.find(criterion.suite);
   if (!points || *points >= criterion.points || verdict == exercise.verdicts.end()) return {};
   std::vector<std::string> ids;
-  for (const NamedMistake& mistake : verdict->second.misconceptions) {
+  for (const NamedMistake& mistake : verdict->second.mistakes) {
     if (std::ranges::find(ids, mistake.id) == ids.end()) ids.push_back(mistake.id);
   }
   return ids;

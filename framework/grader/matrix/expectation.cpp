@@ -3,6 +3,7 @@
 #include "base/text/nearest.h"
 #include "base/text/trim.h"
 #include "course/suites.h"
+#include "grader/naming/generic_ids.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,7 +15,7 @@ namespace muelle::grader {
 
 namespace {
 
-constexpr const char* form = "// loses: SuiteA, SuiteB; misconception: id";
+constexpr const char* form = "// loses: SuiteA, SuiteB; misconception: id or id";
 
 [[noreturn]] void fail(const std::string& shown, const std::string& complaint) {
   throw std::runtime_error(fmt::format("{}:1: {}", shown, complaint));
@@ -25,6 +26,7 @@ std::vector<std::string> misconceptionsOf(const Manifest& manifest) {
   for (const Misconception& misconception : manifest.misconceptions) {
     if (std::find(ids.begin(), ids.end(), misconception.id) == ids.end()) ids.push_back(misconception.id);
   }
+  for (const char* id : genericIds) ids.emplace_back(id);
   return ids;
 }
 
@@ -47,6 +49,20 @@ std::set<std::string> readSuites(const std::string& list, const std::string& sho
     if (!lost.insert(suite).second) fail(shown, fmt::format("suite '{}' stands twice", suite));
   }
   return lost;
+}
+
+/// "idA or idB"
+std::set<std::string> readNames(const std::string& list, const std::string& shown, const Manifest& manifest) {
+  constexpr std::string_view between = " or ";
+  std::set<std::string> names;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(between, begin), list.size());
+    const std::string id(trimmed(list.substr(begin, end - begin)));
+    checkKnown(id, "misconception", misconceptionsOf(manifest), shown);
+    names.insert(id);
+    begin = end + between.size();
+  }
+  return names;
 }
 
 }  // namespace
@@ -75,10 +91,7 @@ Expectation readExpectation(const std::string& source, const std::string& shown,
 
   Expectation expectation = suites == "all" ? noPoints(manifest) : Expectation{};
   if (suites != "all") expectation.lost = readSuites(suites, shown, manifest);
-  if (id != "none") {
-    checkKnown(id, "misconception", misconceptionsOf(manifest), shown);
-    expectation.named.insert(id);
-  }
+  if (id != "none") expectation.named = readNames(id, shown, manifest);
   return expectation;
 }
 

@@ -4,8 +4,12 @@
 
 namespace muelle::grader {
 
+bool MatrixRow::isNamedAsStated() const {
+  return named.empty() == expected.named.empty() && std::ranges::includes(expected.named, named);
+}
+
 bool MatrixRow::exact() const {
-  if (!trouble.empty() || lost != expected.lost || named != expected.named) return false;
+  if (!trouble.empty() || lost != expected.lost || !isNamedAsStated()) return false;
   return !expected.noPoints || points == 0.0;
 }
 
@@ -27,8 +31,10 @@ void count(const MatrixRow& row, MatrixSummary& sum) {
   ++sum.rows;
   sum.exactRows += row.exact() ? 1 : 0;
   sum.falseRejections += isRight && !row.lost.empty() ? 1 : 0;
-  sum.misconceptions += static_cast<int>(row.expected.named.size());
-  for (const std::string& id : row.named) (row.expected.named.contains(id) ? sum.named : sum.wronglyNamed) += 1;
+  if (row.expected.named.empty()) return;
+  ++sum.misconceptions;
+  if (row.isNamedAsStated()) ++sum.named;
+  for (const std::string& id : row.named) sum.wronglyNamed += row.expected.named.contains(id) ? 0 : 1;
 }
 
 void count(const Mutant& mutant, MatrixSummary& sum) {

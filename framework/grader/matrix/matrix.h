@@ -34,6 +34,8 @@ struct MatrixRow {
   std::string trouble;  ///< does not compile, a fault of the grader's: one line; "" when it was graded
 
   bool exact() const;
+  /// Whether one of the stated mistakes was named, or none where none is stated, and nothing else.
+  bool isNamedAsStated() const;
 };
 
 /// One mutation of the solution and what became of it.

@@ -71,7 +71,7 @@ std::string rowText(const MatrixRow& row, const Manifest& manifest) {
     line += fmt::format(" {}{} ", lost ? 'x' : '.', lost == expected ? ' ' : '!');
   }
   if (!row.named.empty()) line += " " + joined(row.named);
-  if (row.named != row.expected.named) line += fmt::format("  ! stated: {}", joined(row.expected.named));
+  if (!row.isNamedAsStated()) line += fmt::format("  ! stated: {}", joined(row.expected.named));
   if (row.expected.noPoints && row.points > 0.0) line += fmt::format("  ! {:g} points", row.points);
   line.erase(line.find_last_not_of(' ') + 1);
   return line + "\n";
@@ -90,7 +90,7 @@ std::string complaint(const MatrixRow& row) {
   std::string text = fmt::format("  ! {}:1:", row.file);
   if (!kept.empty()) text += fmt::format(" passes {} unexpectedly;", joined(kept));
   if (!extra.empty()) text += fmt::format(" loses {} unexpectedly;", joined(extra));
-  if (row.named != row.expected.named) {
+  if (!row.isNamedAsStated()) {
     text += fmt::format(" {} named, {} stated;", joined(row.named), joined(row.expected.named));
   }
   if (row.expected.noPoints && row.points > 0.0) text += fmt::format(" gets {:g} points;", row.points);

@@ -25,7 +25,7 @@ void fill(MatrixRow& row, const GradedExercise& graded) {
   for (const auto& [suite, verdict] : graded.verdicts) {
     if (!verdict.graderFault.empty()) row.trouble = suite + ": " + verdict.graderFault;
     if (!verdict.passed()) row.lost.insert(suite);
-    for (const NamedMistake& mistake : verdict.misconceptions) row.named.insert(mistake.id);
+    for (const NamedMistake& mistake : verdict.mistakes) row.named.insert(mistake.id);
   }
   row.points = score(graded);
 }

@@ -50,22 +50,10 @@ State stateOf(const Criterion& criterion, const GradedExercise& exercise) {
   return score(criterion, exercise).value_or(0.0) > 0.0 ? State::Partial : State::Failed;
 }
 
-/// One mistake may show in several functions; the manifest may say something else for each, or the same for all.
-bool isStatedFor(const NamedMistake& named, const Manifest& manifest) {
-  return std::ranges::any_of(manifest.misconceptions, [&named](const Misconception& known) {
-    return known.id == named.id && known.function == named.function;
-  });
-}
-
-std::vector<Explanation::Mistake> mistakesOf(const Verdict& verdict, const Manifest& manifest) {
+/// In the manifest's order of functions: one that another is made of stands first.
+std::vector<Explanation::Mistake> mistakesOf(const Verdict& verdict) {
   std::vector<Explanation::Mistake> mistakes;
-  // In the manifest's order: a function that another one is made of stands first.
-  for (const Misconception& known : manifest.misconceptions) {
-    const bool isNamed = std::ranges::any_of(verdict.misconceptions, [&](const NamedMistake& named) {
-      return named.id == known.id && (named.function == known.function || !isStatedFor(named, manifest));
-    });
-    if (isNamed) mistakes.push_back({line(known.says), line(known.hint)});
-  }
+  for (const NamedMistake& named : verdict.mistakes) mistakes.push_back({line(named.says), line(named.hint)});
   return mistakes;
 }
 
@@ -127,7 +115,7 @@ Explanation explain(const Criterion& criterion, const GradedExercise& exercise) 
   if (verdict.outcome == Outcome::NeverWritten && verdict.fault.empty())  // else that says it
     explanation.neverWritten =
         line(fmt::format("{} {}", verdict.neverWritten.empty() ? "it" : verdict.neverWritten, neverWrittenSentence()));
-  if (manifest.feedback != FeedbackLevel::Criterion) explanation.mistakes = mistakesOf(verdict, manifest);
+  if (manifest.feedback != FeedbackLevel::Criterion) explanation.mistakes = mistakesOf(verdict);
   explanation.fault = line(verdict.fault);
   explanation.tests = failedTests(verdict, manifest.feedback);
   if (explanation.mistakes.empty()) explanation.hint = line(criterion.hint);

@@ -1,5 +1,7 @@
 #include "grader/run/exercise_run.h"
 
+#include "base/file.h"
+#include "grader/naming/name_mistakes.h"
 #include "grader/remote/session.h"
 
 #include <fmt/format.h>
@@ -144,6 +146,7 @@ void ExerciseRun::finishPart() {
   std::unique_lock lock(mutex_);
   if (--missing_ > 0) return;
   lock.unlock();
+  nameMistakes(graded_, readFile(grader_.workplace().contract(manifest_.topic)), sources_.begin()->second);
   done_(std::move(graded_));
 }
 

@@ -143,7 +143,7 @@ Verdict withOtherFill(const Judging& judging, Verdict first) {
   first.outcome = Outcome::NeverWritten;
   first.fault = fmt::format("{} {}", function.empty() ? "your code" : function, luckSentence);
   first.neverWritten.clear();
-  first.misconceptions.clear();
+  first.evidence.clear();
   return first;
 }
 

@@ -1,12 +1,13 @@
 #pragma once
 #include "grader/remote/numbers.h"
+#include "grader/testing/argument_items.h"
 #include "grader/wire/signature.h"
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace muelle::grader {
@@ -17,22 +18,38 @@ void appendOutParameter(std::vector<double>& numbers, const T& argument) {
   if constexpr (wire::isOutParameter<Parameter>) appendNumbers(numbers, argument);
 }
 
-/// The calls of one function in this process, and the usual mistakes that its answers are held against.
+/// The calls of one function in this process, and what the oracle says to each, and to each with its arguments changed:
+/// what the usual mistakes are recognised by. Calls are numbered from 0; all numbers are the result's, then those of
+/// the out-parameters.
 class CallHistoryBase {
  public:
+  using Numbers = std::vector<double>;
+
   virtual ~CallHistoryBase() = default;
 
-  /// The mistake that explains every answer, or "".
-  ///
-  /// A hypothesis explains the submission when it gives the submission's numbers on all calls, right and wrong ones,
-  /// and at least `fewestWrong` of them are wrong. Two hypotheses that explain everything and differ from each other
-  /// nowhere are one mistake under two names: the first registered is taken.
-  virtual std::string diagnosis() const = 0;
+  virtual bool hasOracle() const = 0;
+  virtual std::size_t calls() const = 0;
+  /// What the submission has answered.
+  virtual const Numbers& outcome(std::size_t call) const = 0;
+  virtual std::vector<ArgumentItem> items(std::size_t call) const = 0;
+  /// Where an answer cancels to nothing, the round-off of the arguments is left.
+  virtual double roundOff(std::size_t call) const = 0;
+  virtual int argumentCount() const = 0;
+  /// Whether two arguments are of one type.
+  virtual bool areAlike(int i, int j) const = 0;
 
-  /// Ids of the mistakes that it knows.
+  virtual Numbers oracle(std::size_t call) const = 0;
+  virtual Numbers oracleWith(std::size_t call, const Leaf& leaf, const Change& change) const = 0;
+  virtual Numbers oracleOfPart(std::size_t call, int argument, Part part) const = 0;
+  virtual Numbers oracleWithFirstForAll(std::size_t call, const Leaf& leaf) const = 0;
+  virtual Numbers oracleSwapped(std::size_t call, int i, int j) const = 0;
+  /// Argument i in place of argument j, too.
+  virtual Numbers oracleWithTwice(std::size_t call, int i, int j) const = 0;
+  /// What a listed mistake gives.
+  virtual Numbers listed(std::size_t mistake, std::size_t call) const = 0;
+  /// Ids of the listed mistakes, in the order of their registration; one may stand several times.
   virtual std::vector<std::string> mistakes() const = 0;
 
-  static constexpr int fewestWrong = 3;
   static constexpr std::size_t mostCalls = 4096;
   static constexpr std::size_t mostNumbers = 4'000'000;  ///< in all answers kept; a submission decides their size
 
@@ -46,8 +63,9 @@ class CallHistory;
 template <class Result, class... Args>
 class CallHistory<Result(Args...)> : public CallHistoryBase {
  public:
-  using Given = std::shared_ptr<const std::tuple<std::decay_t<Args>...>>;
-  using Hypothesis = std::function<Result(Args...)>;
+  using Tuple = std::tuple<std::decay_t<Args>...>;
+  using Given = std::shared_ptr<const Tuple>;
+  using Function = std::function<Result(Args...)>;
 
   static CallHistory& of(const std::string& function) {
     auto& slot = all()[function];
@@ -56,14 +74,69 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
   }
 
   /// \param outcome the result, if any, then the out-parameters
-  void add(const Given& given, std::vector<double> outcome) {
+  void add(const Given& given, Numbers outcome) {
     numbers_ += outcome.size();
     if (calls_.size() >= mostCalls || numbers_ > mostNumbers) return;
     calls_.push_back({given, std::move(outcome)});
   }
 
-  void setOracle(Hypothesis oracle) { oracle_ = std::move(oracle); }
-  void addMistake(std::string id, Hypothesis mistake) { mistakes_.emplace_back(std::move(id), std::move(mistake)); }
+  void setOracle(Function oracle) { oracle_ = std::move(oracle); }
+  void addMistake(std::string id, Function mistake) { mistakes_.emplace_back(std::move(id), std::move(mistake)); }
+
+  bool hasOracle() const override { return static_cast<bool>(oracle_); }
+  std::size_t calls() const override { return calls_.size(); }
+  const Numbers& outcome(std::size_t call) const override { return calls_[call].outcome; }
+  int argumentCount() const override { return static_cast<int>(sizeof...(Args)); }
+
+  std::vector<ArgumentItem> items(std::size_t call) const override {
+    std::vector<ArgumentItem> items;
+    forEachArgument(*calls_[call].given, [&items](const auto& argument, int index) {
+      appendItems(items, argument, {index, -1, -1});
+    });
+    return items;
+  }
+
+  double roundOff(std::size_t call) const override {
+    Numbers numbers;
+    forEachArgument(*calls_[call].given, [&numbers](const auto& argument, int) { appendNumbers(numbers, argument); });
+    return 1e-12 * scaleOf(numbers);
+  }
+
+  bool areAlike(int i, int j) const override {
+    Tuple none{};
+    return withBoth(none, i, j, [](auto&, auto&) {});
+  }
+
+  Numbers oracle(std::size_t call) const override { return evaluate(oracle_, *calls_[call].given); }
+  Numbers listed(std::size_t mistake, std::size_t call) const override {
+    return evaluate(mistakes_[mistake].second, *calls_[call].given);
+  }
+
+  Numbers oracleWith(std::size_t call, const Leaf& leaf, const Change& change) const override {
+    return changed(call, [&](auto& argument, int index) {
+      if (index == leaf.argument) changeAt(argument, leaf, change);
+    });
+  }
+  Numbers oracleOfPart(std::size_t call, int which, Part part) const override {
+    return changed(call, [&](auto& argument, int index) {
+      if (index == which) keepPart(argument, part);
+    });
+  }
+  Numbers oracleWithFirstForAll(std::size_t call, const Leaf& leaf) const override {
+    return changed(call, [&](auto& argument, int index) {
+      if (index == leaf.argument) takeFirstForAll(argument, leaf);
+    });
+  }
+  Numbers oracleSwapped(std::size_t call, int i, int j) const override {
+    Tuple arguments = *calls_[call].given;
+    withBoth(arguments, i, j, [](auto& first, auto& second) { std::swap(first, second); });
+    return evaluate(oracle_, std::move(arguments));
+  }
+  Numbers oracleWithTwice(std::size_t call, int i, int j) const override {
+    Tuple arguments = *calls_[call].given;
+    withBoth(arguments, i, j, [](auto& first, auto& second) { second = first; });
+    return evaluate(oracle_, std::move(arguments));
+  }
 
   std::vector<std::string> mistakes() const override {
     std::vector<std::string> ids;
@@ -71,36 +144,9 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
     return ids;
   }
 
-  std::string diagnosis() const override {
-    if (!oracle_ || calls_.empty()) return "";
-    for (const auto& [id, mistake] : mistakes_) {
-      if (explains(mistake)) return id;
-    }
-    return "";
-  }
-
- private:
-  struct Call {
-    Given given;
-    std::vector<double> outcome;
-  };
-
-  bool explains(const Hypothesis& mistake) const {
-    int wrong = 0;
-    for (const Call& call : calls_) {
-      const std::vector<double> expected = evaluate(oracle_, *call.given);
-      const std::vector<double> predicted = evaluate(mistake, *call.given);
-      const double floor = roundOffOf(*call.given);
-      if (!agree(call.outcome, predicted, floor)) return false;
-      if (!agree(call.outcome, expected, floor)) ++wrong;
-    }
-    return wrong >= fewestWrong;
-  }
-
- public:
   /// The numbers of a call: the result, if any, then the out-parameters.
-  static std::vector<double> evaluate(const Hypothesis& function, std::tuple<std::decay_t<Args>...> arguments) {
-    std::vector<double> numbers;
+  static Numbers evaluate(const Function& function, Tuple arguments) {
+    Numbers numbers;
     const auto invoke = [&function](auto&... argument) -> Result { return function(static_cast<Args>(argument)...); };
     if constexpr (std::is_void_v<Result>) {
       std::apply(invoke, arguments);
@@ -113,17 +159,22 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
   }
 
  private:
-  /// Where a result cancels to nothing, the round-off of the arguments is left.
-  static double roundOffOf(const std::tuple<std::decay_t<Args>...>& arguments) {
-    std::vector<double> numbers;
-    std::apply([&numbers](const auto&... argument) { (appendNumbers(numbers, argument), ...); }, arguments);
-    return 1e-12 * scaleOf(numbers);
+  struct Call {
+    Given given;
+    Numbers outcome;
+  };
+
+  template <class Visitor>
+  Numbers changed(std::size_t call, const Visitor& visit) const {
+    Tuple arguments = *calls_[call].given;
+    forEachArgument(arguments, visit);
+    return evaluate(oracle_, std::move(arguments));
   }
 
   std::vector<Call> calls_;
   std::size_t numbers_ = 0;
-  Hypothesis oracle_;
-  std::vector<std::pair<std::string, Hypothesis>> mistakes_;
+  Function oracle_;
+  std::vector<std::pair<std::string, Function>> mistakes_;
 };
 
 }  // namespace muelle::grader

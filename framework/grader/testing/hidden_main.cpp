@@ -12,7 +12,7 @@
 #include "grader/remote/fault.h"
 #include "grader/remote/own_lower.h"
 #include "grader/sandbox/sandbox.h"
-#include "grader/testing/call_history.h"
+#include "grader/testing/gather_evidence.h"
 #include "grader/testing/of_use.h"
 #include "grader/testing/recorder.h"
 
@@ -145,12 +145,16 @@ Outcome outcomeOf(const Verdict& verdict, const Session& session) {
   return session.neverWritten().empty() ? Outcome::Wrong : Outcome::NeverWritten;
 }
 
-void diagnose(Verdict& verdict) {
-  if (verdict.passed() || !verdict.graderFault.empty() || verdict.isConfirmed) return;
+/// What the calls say, for the pool: it sees all criteria. Of memory that was never written the numbers are nobody's: a
+/// NaN of the fill is no missing guard.
+Evidence evidenceOf(const Verdict& verdict) {
+  Evidence evidence;
   for (const auto& [function, history] : CallHistoryBase::all()) {
-    if (function == verdict.neverWritten) continue;  // its numbers are nobody's: a NaN of the fill is no missing guard
-    if (const std::string id = history->diagnosis(); !id.empty()) verdict.misconceptions.push_back({id, function});
+    if (function == verdict.neverWritten) continue;
+    FunctionEvidence found = gatherEvidence(*history);
+    if (found.calls > 0) evidence.emplace(function, std::move(found));
   }
+  return evidence;
 }
 
 void drawFigures(const Options& options) {
@@ -183,7 +187,7 @@ int run(int argc, char** argv) {
     grade(options, session, verdict);
     verdict.outcome = outcomeOf(verdict, session);
     verdict.neverWritten = session.neverWritten();
-    if (options.ownLower.empty()) diagnose(verdict);
+    if (options.ownLower.empty()) verdict.evidence = evidenceOf(verdict);
   } else {
     try {
       drawFigures(options);

@@ -3,7 +3,7 @@
 #include "course/testing/random.h"
 #include "grader/remote/fault.h"
 #include "grader/testing/arguments.h"
-#include "grader/testing/call_history.h"
+#include "grader/testing/gather_evidence.h"
 
 #include <fmt/format.h>
 
@@ -17,9 +17,12 @@ const ArgumentsBase& argumentsOf(const std::string& function) {
   throw GraderFault("no MUELLE_ARGUMENTS are registered for " + function);
 }
 
+/// Whether one mistake explains every answer; zero and a constant are no mistake that anything can be built on.
 bool showsOneMistake(const std::string& function) {
   const auto history = CallHistoryBase::all().find(function);
-  return history != CallHistoryBase::all().end() && !history->second->diagnosis().empty();
+  if (history == CallHistoryBase::all().end()) return false;
+  const FunctionEvidence evidence = gatherEvidence(*history->second);
+  return evidence.wrong > 0 && evidence.zero < evidence.calls && !evidence.isConstant && !evidence.agreeing.empty();
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ class Student {
     const int passed = part() < chance + 0.1 ? 4 : static_cast<int>(4.0 * part());
     Verdict judged = verdict(criterion.suite, passed, 4 - passed);
     judged.topic = exercise.manifest.topic;
-    if (criterion.suite == "HookeForce" && passed < 4) judged.misconceptions = {{"wrong_sign", "springForce"}};
+    if (criterion.suite == "HookeForce" && passed < 4) judged.mistakes = {{"wrong_sign", "springForce", "", ""}};
     exercise.verdicts[criterion.suite] = judged;
   }
 
@@ -103,7 +103,7 @@ GradedClass classOfOneExercise(std::vector<ClassRow> rows) {
 }
 
 ClassRow withMistake(ClassRow row, const std::string& id) {
-  row.graded.exercises[0].verdicts.at("HookeForce").misconceptions.push_back({id, "springForce"});
+  row.graded.exercises[0].verdicts.at("HookeForce").mistakes.push_back({id, "springForce", "", ""});
   return row;
 }
 

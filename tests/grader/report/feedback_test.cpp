@@ -10,7 +10,7 @@ using Lines = std::vector<std::string>;
 
 GradedExercise failing(FeedbackLevel level, bool named) {
   Verdict v = verdict("HookeForce", 1, 1);
-  if (named) v.misconceptions = {{"wrong_sign", "springForce"}};
+  if (named) v.mistakes = {namedSign()};
   v.output = "k = 100\n";
   GradedExercise exercise = with(exerciseWithoutVerdicts(), v);
   exercise.manifest.feedback = level;
@@ -137,12 +137,6 @@ TEST(Feedback, TellsTheGradersFaultApart) {
   v.graderFault = "disk full";
   EXPECT_EQ(hookeFeedback(with(exerciseWithoutVerdicts(), v)),
             Lines{"the grader failed, not you; no score, it will be run again: disk full"});
-}
-
-TEST(Feedback, IgnoresAnUnknownMisconception) {
-  GradedExercise exercise = failing(FeedbackLevel::Property, false);
-  exercise.verdicts.at("HookeForce").misconceptions = {{"invented", "springForce"}};
-  EXPECT_EQ(hookeFeedback(exercise), (Lines{law, hint}));
 }
 
 TEST(Feedback, IsPrintable) {

@@ -92,9 +92,14 @@ std::string drawing() {
 
 }  // namespace
 
+NamedMistake namedSign() {
+  const Misconception stated = exerciseWithoutVerdicts().manifest.misconceptions.front();
+  return {stated.id, stated.function, stated.says, stated.hint};
+}
+
 GradedSubmission sampleSubmission() {
   Verdict mistaken = verdict("HookeForce", 1, 2);
-  mistaken.misconceptions = {{"wrong_sign", "springForce"}};
+  mistaken.mistakes = {namedSign()};
   mistaken.output = "L = 2.75\nL = 3.1\n";
   Verdict crashed = verdict("HookeForce", 1, 0);
   crashed.fault = "segmentation fault in springForce";
@@ -135,7 +140,7 @@ GradedSubmission hostileSubmission(const std::string& text) {
   Verdict v = verdict("HookeForce", 0, 1);
   v.fault = text;
   v.output = text;
-  v.misconceptions = {{text, text}};
+  v.mistakes = {{text, text, text, text}};
   Mismatch said, compared;
   said.says = text;
   compared.label = compared.expression = compared.unit = compared.call = text;

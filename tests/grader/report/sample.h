@@ -20,6 +20,9 @@ GradedExercise with(GradedExercise exercise, const Verdict& verdict);
 
 /// One submission with an exercise in every state: passed, partial, failed with a misconception, a crash, missing,
 /// not compiling.
+/// As the pool names a force of the wrong sign.
+NamedMistake namedSign();
+
 GradedSubmission sampleSubmission();
 
 /// A submission with the text in every place that a submission can reach.

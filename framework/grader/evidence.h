@@ -1,0 +1,60 @@
+#pragma once
+/// \file
+/// What the calls of one criterion say about the mistakes that a function may hold: data, from the test process to the
+/// pool, which alone sees all criteria.
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace muelle::grader {
+
+/// A number, or all numbers of one kind, among the arguments of a function.
+struct Leaf {
+  int argument = 0;    ///< which, from 0
+  int field = -1;      ///< of a struct, or of every struct of a list; -1: there is none
+  int component = -1;  ///< of a vector; -1: all of it
+  auto operator<=>(const Leaf&) const = default;
+};
+
+/// A mistake that a function may hold: one that the manifest lists, or one that any function may have.
+struct Hypothesis {
+  std::string id;  ///< "wrong_sign": of the manifest when `isListed`, else a word of generic_mistakes.h
+  bool isListed = false;
+  std::vector<Leaf> of;  ///< the arguments that it is about, if any
+  double value = 0.0;    ///< the constant that stands in an argument's place, the component that is wrong
+  auto operator<=>(const Hypothesis&) const = default;
+};
+
+/// Something of a call's arguments that a mistake may depend on: a number, a length, a distance, a count.
+struct Feature {
+  std::string kind;      ///< "value", "length", "distance", "difference", "count", "least", "most"
+  std::vector<Leaf> of;  ///< one or two
+  auto operator<=>(const Feature&) const = default;
+};
+
+/// Between which values of a feature the answers were right, and between which they were wrong.
+struct FeatureRange {
+  double fewestRight, mostRight, fewestWrong, mostWrong;
+  bool operator==(const FeatureRange&) const = default;
+};
+
+/// The calls of one function.
+struct FunctionEvidence {
+  long calls = 0;
+  long wrong = 0;           ///< calls with another answer than the oracle's, to six digits
+  long imprecise = 0;       ///< calls with the oracle's answer to six digits, but not to nine
+  double worst = 0.0;       ///< largest deviation of an answer from the oracle's, relative to it; infinity for a NaN
+  long notANumber = 0;      ///< wrong calls with a NaN or an infinity in the answer
+  long zero = 0;            ///< calls answered by nothing but zeros
+  long wrongZero = 0;       ///< those among the wrong calls
+  bool isConstant = false;  ///< one answer to all calls, where the oracle has several
+  std::vector<Hypothesis> agreeing;  ///< those that give the submission's answer in every call
+  std::map<Feature, FeatureRange> features;
+  bool operator==(const FunctionEvidence&) const = default;
+};
+
+/// By function.
+using Evidence = std::map<std::string, FunctionEvidence>;
+
+}  // namespace muelle::grader

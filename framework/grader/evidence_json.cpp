@@ -1,0 +1,85 @@
+#include "grader/evidence_json.h"
+
+#include "course/testing/mismatch_text.h"
+
+#include <nlohmann/json.hpp>
+
+namespace muelle::grader {
+
+namespace {
+
+using nlohmann::json;
+
+/// JSON knows no number that is not finite.
+json exact(double number) { return exactText(number); }
+double exactOf(const json& document) { return exactNumber(document.get<std::string>()).value(); }
+
+json toJson(const std::vector<Leaf>& leaves) {
+  json list = json::array();
+  for (const Leaf& leaf : leaves) list.push_back({leaf.argument, leaf.field, leaf.component});
+  return list;
+}
+
+std::vector<Leaf> leavesFrom(const json& list) {
+  std::vector<Leaf> leaves;
+  for (const json& each : list) leaves.push_back({each.at(0), each.at(1), each.at(2)});
+  return leaves;
+}
+
+json toJson(const FunctionEvidence& evidence) {
+  json agreeing = json::array();
+  for (const Hypothesis& each : evidence.agreeing) {
+    agreeing.push_back({each.id, each.isListed, toJson(each.of), exact(each.value)});
+  }
+  json features = json::array();
+  for (const auto& [feature, range] : evidence.features) {
+    features.push_back({feature.kind, toJson(feature.of), exact(range.fewestRight), exact(range.mostRight),
+                        exact(range.fewestWrong), exact(range.mostWrong)});
+  }
+  return {{"calls", evidence.calls},
+          {"wrong", evidence.wrong},
+          {"imprecise", evidence.imprecise},
+          {"worst", exact(evidence.worst)},
+          {"not_a_number", evidence.notANumber},
+          {"zero", evidence.zero},
+          {"wrong_zero", evidence.wrongZero},
+          {"constant", evidence.isConstant},
+          {"agreeing", agreeing},
+          {"features", features}};
+}
+
+FunctionEvidence functionFrom(const json& document) {
+  FunctionEvidence evidence;
+  document.at("calls").get_to(evidence.calls);
+  document.at("wrong").get_to(evidence.wrong);
+  document.at("imprecise").get_to(evidence.imprecise);
+  evidence.worst = exactOf(document.at("worst"));
+  document.at("not_a_number").get_to(evidence.notANumber);
+  document.at("zero").get_to(evidence.zero);
+  document.at("wrong_zero").get_to(evidence.wrongZero);
+  document.at("constant").get_to(evidence.isConstant);
+  for (const json& each : document.at("agreeing")) {
+    evidence.agreeing.push_back({each.at(0), each.at(1), leavesFrom(each.at(2)), exactOf(each.at(3))});
+  }
+  for (const json& each : document.at("features")) {
+    evidence.features[{each.at(0), leavesFrom(each.at(1))}] = {exactOf(each.at(2)), exactOf(each.at(3)),
+                                                               exactOf(each.at(4)), exactOf(each.at(5))};
+  }
+  return evidence;
+}
+
+}  // namespace
+
+json toJson(const Evidence& evidence) {
+  json document = json::object();
+  for (const auto& [function, each] : evidence) document[function] = toJson(each);
+  return document;
+}
+
+Evidence evidenceFromJson(const json& document) {
+  Evidence evidence;
+  for (const auto& [function, each] : document.items()) evidence.emplace(function, functionFrom(each));
+  return evidence;
+}
+
+}  // namespace muelle::grader

@@ -1,0 +1,50 @@
+#pragma once
+
+namespace muelle::grader {
+
+/// The names of mistakes that any function may hold, besides those that a manifest lists.
+inline constexpr const char* genericIds[] = {
+    "wrong_sign",
+    "doubled",
+    "halved",
+    "absolute_value",
+    "always_negative",
+    "rope",
+    "cut_result",
+    "component_sign",
+    "missing_component",
+    "ignored",
+    "missing_factor",
+    "argument_sign",
+    "argument_size",
+    "constant_argument",
+    "doubled_argument",
+    "halved_argument",
+    "squared",
+    "whole_numbers",
+    "factor_too_many",
+    "factor_too_few",
+    "argument_twice",
+    "first_skipped",
+    "last_skipped",
+    "multiplied_for_divided",
+    "divided_for_multiplied",
+    "swapped_arguments",
+    "first_only",
+    "last_only",
+    "first_for_all",
+    "zero",
+    "constant",
+    "missing_guard",
+    "threshold",
+    "one_sided",
+    "edge",
+    "range",
+    "stateful",
+    "never_written",
+    "single_precision",
+    "difference_quotient",
+    "integer_division",
+};
+
+}  // namespace muelle::grader

@@ -1,0 +1,47 @@
+#include "grader/naming/merged_evidence.h"
+
+#include <algorithm>
+
+namespace muelle::grader {
+
+namespace {
+
+void widen(FeatureRange& range, const FeatureRange& more) {
+  range.fewestRight = std::min(range.fewestRight, more.fewestRight);
+  range.mostRight = std::max(range.mostRight, more.mostRight);
+  range.fewestWrong = std::min(range.fewestWrong, more.fewestWrong);
+  range.mostWrong = std::max(range.mostWrong, more.mostWrong);
+}
+
+void merge(FunctionEvidence& all, const FunctionEvidence& more) {
+  all.calls += more.calls;
+  all.wrong += more.wrong;
+  all.imprecise += more.imprecise;
+  all.worst = std::max(all.worst, more.worst);
+  all.notANumber += more.notANumber;
+  all.zero += more.zero;
+  all.wrongZero += more.wrongZero;
+  all.isConstant = all.isConstant && more.isConstant;
+  std::erase_if(all.agreeing, [&more](const Hypothesis& each) {
+    return std::ranges::find(more.agreeing, each) == more.agreeing.end();
+  });
+  for (const auto& [feature, range] : more.features) {
+    const auto [known, isNew] = all.features.try_emplace(feature, range);
+    if (!isNew) widen(known->second, range);
+  }
+}
+
+}  // namespace
+
+Evidence mergedEvidence(const std::map<std::string, Verdict>& verdicts) {
+  Evidence merged;
+  for (const auto& [suite, verdict] : verdicts) {
+    for (const auto& [function, evidence] : verdict.evidence) {
+      const auto [known, isNew] = merged.try_emplace(function, evidence);
+      if (!isNew) merge(known->second, evidence);
+    }
+  }
+  return merged;
+}
+
+}  // namespace muelle::grader

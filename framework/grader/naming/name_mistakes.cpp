@@ -1,0 +1,182 @@
+#include "grader/naming/name_mistakes.h"
+
+#include "course/contract.h"
+#include "grader/naming/generic_sentence.h"
+#include "grader/naming/merged_evidence.h"
+#include "grader/naming/source_clues.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace muelle::grader {
+
+namespace {
+
+/// Answers that are this near the right ones are those of a method or a type that is not exact.
+constexpr double nearlyRight = 1e-3;
+
+/// Names the mistake of one function after the other.
+class Namer {
+ public:
+  Namer(const Manifest& manifest, const Evidence& evidence, std::string_view contract, std::string_view source)
+      : manifest_(manifest), evidence_(evidence), contract_(contract), source_(source) {}
+
+  std::optional<NamedMistake> nameOf(const std::string& function) const {
+    const FunctionEvidence& evidence = evidence_.at(function);
+    if (evidence.wrong + evidence.imprecise < fewestWrong) return std::nullopt;
+    for (const auto way : {&Namer::degenerate, &Namer::listed, &Namer::generic, &Namer::notANumber,
+                           &Namer::nearlyRightName, &Namer::wholeNumbers, &Namer::partly}) {
+      if (auto named = (this->*way)(function, evidence)) return named;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  using Found = std::optional<NamedMistake>;
+
+  Found degenerate(const std::string& function, const FunctionEvidence& evidence) const {
+    if (evidence.zero == evidence.calls) {
+      return NamedMistake{"zero", function, fmt::format("{} always gives 0", function),
+                          "It may still be as it was handed out, or return before it has computed anything."};
+    }
+    if (evidence.isConstant) {
+      return NamedMistake{"constant", function, fmt::format("{} always gives the same answer", function),
+                          "The answer must follow from the arguments."};
+    }
+    return std::nullopt;
+  }
+
+  /// The manifest's words for a mistake of a function: its own, or those for a lower function that was wrong, too.
+  const Misconception* statement(const std::string& id, const std::string& function) const {
+    const Misconception* other = nullptr;
+    for (const Misconception& known : manifest_.misconceptions) {
+      if (known.id != id) continue;
+      if (known.function == function) return &known;
+      if (other == nullptr) other = &known;
+    }
+    return other;
+  }
+
+  bool wasWrong(const std::string& function) const {
+    const auto found = evidence_.find(function);
+    return found != evidence_.end() && found->second.wrong > 0;
+  }
+
+  Found listed(const std::string& function, const FunctionEvidence& evidence) const {
+    if (evidence.wrong < fewestWrong) return std::nullopt;
+    std::vector<NamedMistake> all;
+    for (const Hypothesis& each : evidence.agreeing) {
+      const bool isKnown = std::ranges::any_of(all, [&](const NamedMistake& known) { return known.id == each.id; });
+      const Misconception* words = each.isListed ? statement(each.id, function) : nullptr;
+      if (isKnown || words == nullptr) continue;
+      const bool isOwn = words->function == function || wasWrong(words->function);
+      all.push_back({each.id, isOwn ? words->function : function,
+                     isOwn ? words->says : fmt::format("in {}, {}", function, words->says), words->hint});
+    }
+    if (all.empty()) return std::nullopt;
+    NamedMistake named = all.front();
+    // Two mistakes with the same numbers: the effect is sure, the cause is one of them.
+    if (all.size() > 1) named.says = fmt::format("{}; or, with the same numbers, {}", all[0].says, all[1].says);
+    return named;
+  }
+
+  Found generic(const std::string& function, const FunctionEvidence& evidence) const {
+    if (evidence.wrong < fewestWrong) return std::nullopt;
+    const std::vector<Parameter> parameters = parametersOf(contract_, function);
+    for (const Hypothesis& each : evidence.agreeing) {
+      const std::string says = each.isListed ? "" : sentenceOf(each, function, parameters);
+      if (!says.empty()) return NamedMistake{each.id, function, says, ""};
+    }
+    return std::nullopt;
+  }
+
+  Found notANumber(const std::string& function, const FunctionEvidence& evidence) const {
+    if (evidence.notANumber < fewestWrong || evidence.notANumber != evidence.wrong) return std::nullopt;
+    const Separation found = separationOf(evidence, parametersOf(contract_, function));
+    const std::string where =
+        found.id.empty() ? fmt::format("in {} of {} calls", evidence.wrong, evidence.calls) : "where " + found.where;
+    return NamedMistake{"missing_guard", function,
+                        fmt::format("{} gives no finite number {}, and is right elsewhere", function, where),
+                        "Look for a division by zero or the root of a negative number there."};
+  }
+
+  /// Right to some digits: single precision, a difference quotient, a rounded constant.
+  Found nearlyRightName(const std::string& function, const FunctionEvidence& evidence) const {
+    if (evidence.imprecise + evidence.wrong < fewestWrong || evidence.worst > nearlyRight) return std::nullopt;
+    const int digits = static_cast<int>(-std::log10(evidence.worst));
+    const std::string says = fmt::format("{} is right to about {} digits only", function, digits);
+    if (const auto clue = singlePrecision(source_)) {
+      return NamedMistake{"single_precision", function,
+                          fmt::format("{}: line {} computes with {}", says, clue->line, clue->token),
+                          "Compute with double everywhere: it has 16 digits."};
+    }
+    return NamedMistake{"difference_quotient", function, says + ": a derivative by differences, or a rounded constant",
+                        "Derivatives are asked for as formulas, which are exact; constants with all their digits."};
+  }
+
+  Found wholeNumbers(const std::string& function, const FunctionEvidence&) const {
+    const auto clue = integerDivision(source_, function);
+    if (!clue) return std::nullopt;
+    return NamedMistake{"integer_division", function,
+                        fmt::format("line {}, {}: {} computes with whole numbers, which have no fractions", clue->line,
+                                    function, clue->token),
+                        "Write 1.0 / 2 or 0.5, and start a sum with 0.0."};
+  }
+
+  /// Right in one part of the arguments' range, wrong in the other.
+  Found partly(const std::string& function, const FunctionEvidence& evidence) const {
+    if (evidence.wrong < fewestWrong) return std::nullopt;
+    const Separation found = separationOf(evidence, parametersOf(contract_, function));
+    if (found.id.empty()) return std::nullopt;
+    const char* what = evidence.wrongZero == evidence.wrong ? "gives 0" : "is wrong";
+    return NamedMistake{found.id, function,
+                        fmt::format("{} {} where {}, and is right elsewhere", function, what, found.where), ""};
+  }
+
+  const Manifest& manifest_;
+  const Evidence& evidence_;
+  std::string_view contract_;
+  std::string_view source_;
+};
+
+/// In the manifest's order: a function that others are made of stands first.
+std::vector<std::string> functionsOf(const Manifest& manifest, const Evidence& evidence) {
+  std::vector<std::string> functions;
+  const auto add = [&](const std::string& function) {
+    const bool isNew = std::ranges::find(functions, function) == functions.end();
+    if (isNew && evidence.contains(function)) functions.push_back(function);
+  };
+  for (const Criterion& criterion : manifest.criteria) std::ranges::for_each(criterion.functions, add);
+  for (const auto& [function, each] : evidence) add(function);
+  return functions;
+}
+
+bool isLostBy(const Verdict& verdict, const std::string& function) {
+  const auto found = verdict.evidence.find(function);
+  return found != verdict.evidence.end() && found->second.wrong + found->second.imprecise > 0;
+}
+
+bool mayBeNamed(const Verdict& verdict) {
+  return !verdict.passed() && verdict.graderFault.empty() && !verdict.isConfirmed;
+}
+
+}  // namespace
+
+void nameMistakes(GradedExercise& exercise, std::string_view contract, std::string_view source) {
+  const Evidence evidence = mergedEvidence(exercise.verdicts);
+  const Namer namer(exercise.manifest, evidence, contract, source);
+  for (const std::string& function : functionsOf(exercise.manifest, evidence)) {
+    const std::optional<NamedMistake> named = namer.nameOf(function);
+    if (!named) continue;
+    for (auto& [suite, verdict] : exercise.verdicts) {
+      if (!mayBeNamed(verdict) || !isLostBy(verdict, function)) continue;
+      const bool isSaid =
+          std::ranges::any_of(verdict.mistakes, [&](const NamedMistake& known) { return known.says == named->says; });
+      if (!isSaid) verdict.mistakes.push_back(*named);
+    }
+  }
+}
+
+}  // namespace muelle::grader

@@ -1,0 +1,21 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace muelle::grader {
+
+/// What in a source explains a wrong number, with its line.
+struct SourceClue {
+  std::string id;  ///< "integer_division", "single_precision"
+  int line = 0;    ///< from 1
+  std::string token;
+};
+
+/// A division of two whole numbers, or a sum of `accumulate` that starts from one, in the body of a function.
+std::optional<SourceClue> integerDivision(std::string_view source, std::string_view function);
+
+/// The first `float`, or literal with an f at its end, of the file.
+std::optional<SourceClue> singlePrecision(std::string_view source);
+
+}  // namespace muelle::grader
