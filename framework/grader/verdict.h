@@ -4,6 +4,7 @@
 #include "course/testing/mismatch.h"
 #include "grader/evidence.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -71,6 +72,7 @@ struct GradedExercise {
   std::map<std::string, Verdict> verdicts;  ///< by suite; in a built exercise, a criterion without one has no score
   std::vector<std::string> figures;         ///< SVG texts: the student's curves over the reference
   std::string figuresNote;                  ///< why there are no figures; "" when there are
+  std::uint64_t seed = 0;                   ///< of the inputs of its tests; 0: none were asked
 };
 
 /// Everything the report shows.

@@ -5,6 +5,7 @@
 namespace muelle::grader {
 
 bool MatrixRow::isNamedAsStated() const {
+  if (kind == Kind::Stub) return true;  // what is handed out answers zero, as it says itself
   return named.empty() == expected.named.empty() && std::ranges::includes(expected.named, named);
 }
 

@@ -49,6 +49,11 @@ double maxScore(const GradedExercise& exercise) {
   return sum;
 }
 
+std::string seedSentence(const GradedExercise& exercise) {
+  if (exercise.seed == 0) return "";
+  return fmt::format("Seed of the inputs of {}: {}", printableLine(exercise.manifest.title), exercise.seed);
+}
+
 std::string showSandbox(const std::string& sandbox) { return sandbox.empty() ? "none known" : printableLine(sandbox); }
 std::string showSandbox(const GradedSubmission& graded) { return showSandbox(graded.sandbox); }
 

@@ -24,6 +24,9 @@ std::string showState(Explanation::State state);
 /// Sum of the criteria's points.
 double maxScore(const GradedExercise& exercise);
 
+/// "Seed of the inputs of Springs in space: 123": by it they can be drawn again; "" when none were asked.
+std::string seedSentence(const GradedExercise& exercise);
+
 /// "bubblewrap", or a warning when the name is missing: one printable line.
 std::string showSandbox(const std::string& sandbox);
 std::string showSandbox(const GradedSubmission& graded);

@@ -1,11 +1,14 @@
 #include "base/text/base64.h"
+#include "base/text/count.h"
 #include "base/text/html.h"
 #include "grader/report/followed.h"
 #include "grader/report/format.h"
+#include "grader/report/mending.h"
 #include "grader/report/page.h"
 #include "grader/report/report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace muelle::grader {
 
@@ -38,6 +41,12 @@ std::string pointsOf(const std::string& points, double most, const char* between
   return fmt::format("<p class=\"points\"><b>{}</b>{}{}</p>", points, between, showPoints(most));
 }
 
+/// Details that a click opens; "" of nothing.
+std::string folded(const std::string& summary, const std::string& html, const char* kind = "more") {
+  if (html.empty()) return "";
+  return fmt::format("<details class=\"{}\"><summary>{}</summary>\n{}</details>\n", kind, escapeHtml(summary), html);
+}
+
 /// Got and expected side by side; a statement as it is.
 std::string failure(const Explanation::Failure& failure) {
   std::string html = paragraph("call", failure.call);
@@ -53,25 +62,34 @@ std::string failure(const Explanation::Failure& failure) {
 std::string failedTest(const Explanation::FailedTest& test) {
   std::string html = "<div class=\"test\">\n" + paragraph("property", test.property);
   if (test.failures.empty()) return html + "</div>\n";
-  html += "<div class=\"values\">\n";
-  for (const Explanation::Failure& each : test.failures) html += failure(each);
-  return html + paragraph("other", test.more) + "</div>\n</div>\n";
+  html += "<div class=\"values\">\n" + failure(test.failures.front());
+  std::string rest;
+  for (std::size_t i = 1; i < test.failures.size(); ++i) rest += failure(test.failures[i]);
+  rest += paragraph("other", test.more);
+  return html +
+         folded(counted(static_cast<long long>(test.failures.size()) - 1, "more number that is off",
+                        "more numbers that are off"),
+                rest) +
+         "</div>\n</div>\n";
 }
 
-std::string mistake(const Explanation::Mistake& mistake) {
-  return "<div class=\"mistake\">\n<p class=\"label\">Your numbers are exactly those of a known mistake</p>\n" +
-         paragraph("says", mistake.says) + paragraph("hint", mistake.hint) + "</div>\n";
+/// The first test that failed; the others folded.
+std::string failedTests(const std::vector<Explanation::FailedTest>& tests) {
+  if (tests.empty()) return "";
+  std::string rest;
+  for (std::size_t i = 1; i < tests.size(); ++i) rest += failedTest(tests[i]);
+  return failedTest(tests.front()) + folded(counted(static_cast<long long>(tests.size()) - 1,
+                                                    "more test that does not pass", "more tests that do not pass"),
+                                            rest);
 }
 
+/// What an exercise's block of things to mend has not said already.
 std::string why(const Explanation& explanation, const std::string& printed) {
-  std::string html = paragraph("soft", explanation.instead) + paragraph("fault", explanation.neverWritten);
-  for (const auto& m : explanation.mistakes) html += mistake(m);
-  html += paragraph("fault", explanation.fault);
-  for (const auto& test : explanation.tests) html += failedTest(test);
-  html += paragraph("hint", explanation.hint);
-  if (!printed.empty())
-    html +=
-        fmt::format("<details><summary>What your code printed</summary><pre>{}</pre></details>\n", escapeHtml(printed));
+  std::string html = paragraph("soft", explanation.instead);
+  for (const auto& mistake : explanation.mistakes) html += paragraph("cause", mistake.says);
+  html += paragraph("cause", explanation.neverWritten) + paragraph("cause", explanation.fault);
+  html += paragraph("hint", explanation.hint) + failedTests(explanation.tests);
+  if (!printed.empty()) html += folded("What your code printed", fmt::format("<pre>{}</pre>\n", escapeHtml(printed)));
   return html.empty() ? "" : "<div class=\"why\">\n" + html + "</div>\n";
 }
 
@@ -85,6 +103,39 @@ std::string criterionRow(const Criterion& criterion, const GradedExercise& exerc
                      built ? why(explanation, shownOutput(criterion, exercise)) : "");
 }
 
+/// Those that are lost first, then the passed ones, folded into one line unless nothing is lost.
+std::string criteriaRows(const GradedExercise& exercise) {
+  std::string lost, passed;
+  long long passedCount = 0;
+  for (const Criterion& criterion : exercise.manifest.criteria) {
+    const bool hasPassed = explain(criterion, exercise).state == State::Passed;
+    (hasPassed ? passed : lost) += criterionRow(criterion, exercise);
+    passedCount += hasPassed ? 1 : 0;
+  }
+  if (lost.empty()) return passed;
+  return lost +
+         folded(fmt::format("\u2713 {} passed", counted(passedCount, "criterion", "criteria")), passed, "passed");
+}
+
+std::string mending(const Mending& mending) {
+  const std::string costs =
+      fmt::format("Costs {}: {}", counted(static_cast<long long>(mending.criteria.size()), "criterion", "criteria"),
+                  fmt::join(mending.criteria, "; "));
+  return fmt::format("<li class=\"{}\">\n", mending.isNamed ? "mistake" : "fault") + paragraph("says", mending.says) +
+         paragraph("hint", mending.hint) + paragraph("soft", costs) + "</li>\n";
+}
+
+/// What a student reads first: each thing to mend, once.
+std::string mendingBlock(const GradedExercise& exercise) {
+  if (exercise.build.status != BuildOutcome::Status::Built) return "";
+  std::string items;
+  for (const Mending& each : mendingsOf(exercise)) items += mending(each);
+  for (const std::string& sentence : followedSentences(exercise))
+    items += "<li>" + paragraph("soft", sentence) + "</li>\n";
+  return items.empty() ? ""
+                       : "<div class=\"block\">\n<h3>To mend</h3>\n<ul class=\"mend\">\n" + items + "</ul>\n</div>\n";
+}
+
 std::string buildBlock(const GradedExercise& exercise) {
   if (exercise.build.status == BuildOutcome::Status::Built || exercise.manifest.criteria.empty()) return "";
   const Explanation explanation = explain(exercise.manifest.criteria.front(), exercise);
@@ -93,12 +144,6 @@ std::string buildBlock(const GradedExercise& exercise) {
   if (!exercise.build.diagnostics.empty())
     html += fmt::format("<pre>{}</pre>\n", escapeHtml(exercise.build.diagnostics));
   return html + "</div>\n";
-}
-
-std::string followedBlock(const GradedExercise& exercise) {
-  std::string html;
-  for (const std::string& sentence : followedSentences(exercise)) html += paragraph("hint", sentence);
-  return html.empty() ? "" : "<div class=\"block\">\n" + html + "</div>\n";
 }
 
 std::string curves(const GradedExercise& exercise) {
@@ -121,9 +166,9 @@ std::string exerciseSection(const GradedExercise& exercise) {
       escapeHtml(exercise.manifest.topic), ours ? "part" : classOf(points, most), escapeHtml(exercise.manifest.title),
       pointsOf(showScore(exercise), most, " / "), bar(points, most));
   if (!exercise.note.empty()) html += "<div class=\"block\">\n" + paragraph("soft", exercise.note) + "</div>\n";
-  html += followedBlock(exercise) + buildBlock(exercise);
-  for (const Criterion& criterion : exercise.manifest.criteria) html += criterionRow(criterion, exercise);
-  return html + curves(exercise) + "</section>\n";
+  html += buildBlock(exercise) + mendingBlock(exercise) + criteriaRows(exercise) + curves(exercise);
+  if (exercise.seed != 0) html += "<div class=\"block\">\n" + paragraph("soft", seedSentence(exercise)) + "</div>\n";
+  return html + "</section>\n";
 }
 
 /// "2026-03-14 09:26 UTC, " of "2026-03-14T09:26:53Z"; any other text as it is.

@@ -69,6 +69,7 @@ void appendCase(pugi::xml_node suite, const Criterion& criterion, const GradedEx
 void appendNotes(pugi::xml_node suite, const GradedExercise& exercise) {
   std::vector<std::string> notes = followedSentences(exercise);
   if (!exercise.note.empty()) notes.insert(notes.begin(), exercise.note);
+  if (exercise.seed != 0) notes.push_back(seedSentence(exercise));
   if (notes.empty()) return;
   pugi::xml_node properties = suite.append_child("properties");
   for (const std::string& note : notes) {

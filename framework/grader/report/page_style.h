@@ -65,6 +65,11 @@ a:hover { color: var(--accent); text-decoration: underline; }
 .mistake .says { font-weight: 600; }
 .label { font-size: .75rem; font-weight: 600; letter-spacing: .04em; color: var(--soft); }
 .fault { background: var(--bad-wash); border-left: 4px solid var(--bad); border-radius: 6px; padding: .7rem 1rem; }
+.mend { margin: 0; padding: 0; list-style: none; display: grid; gap: .75rem; }
+.cause { color: var(--soft); font-size: .9rem; }
+.cause::before { content: "Because: "; font-weight: 600; }
+details.passed { border-top: 1px solid var(--line); }
+details.passed > summary { padding: .7rem 1.25rem; color: var(--good); font-size: 1rem; }
 .hint::before { content: "Hint: "; font-weight: 600; color: var(--accent); }
 .test { display: grid; gap: .4rem; min-width: 0; }
 .property::before { content: "Does not hold yet: "; color: var(--bad); font-weight: 600; }

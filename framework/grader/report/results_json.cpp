@@ -51,6 +51,7 @@ std::string summary(const GradedSubmission& graded) {
     for (const std::string& sentence : followedSentences(exercise)) {
       text += fmt::format("\n{}: {}\n", printableLine(exercise.manifest.title), sentence);
     }
+    if (exercise.seed != 0) text += seedSentence(exercise) + '\n';
     if (exercise.build.diagnostics.empty()) continue;
     text += fmt::format("\n{}: {}\n{}\n", printableLine(exercise.manifest.title),
                         cut(printableLine(exercise.build.message), messageBytes),

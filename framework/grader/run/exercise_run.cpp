@@ -50,6 +50,7 @@ void ExerciseRun::build(Try attempt) {
     return fail(error.what());
   }
   graded_.build = built.object.outcome;
+  graded_.seed = inputSeed(manifest_, sources_, grader_.options());
   if (graded_.build.status != Status::Built) {
     grader_.count(grader_.finished_);
     return done_(std::move(graded_));
