@@ -106,7 +106,7 @@ class Builder {
     const bool compiled = compilation.stage == Stage::Linking || compilation.stage == Stage::Done;
     CompileVerdict verdict = judgeCompilation(toolRun(compilation, compiled), files, workplace_.limits);
     if (!compiled) return verdict;
-    const CompileVerdict read = judgeDependencies(compilation.dependencies, placeInSandbox(), files);
+    const CompileVerdict read = judgeDependencies(compilation.dependencies, placeInSandbox(), studentFiles(built_));
     if (workplace_.judgesSymbols && !read.passed()) return read;
     const SymbolVerdict symbols = judgeSymbols(readSymbols(compilation.symbols));
     if (workplace_.judgesSymbols && symbols.outcome != Outcome::Passed) {
