@@ -128,7 +128,7 @@ CompileVerdict judgeCompilation(const ToolRun& run, const std::vector<StudentFil
   verdict.outcome = Outcome::Compile;
   verdict.message = fmt::format("it does not compile: {}:{}: {}", error->file, error->line, error->message);
   verdict.diagnostics = showDiagnostics(found, files);
-  verdict.isStaticAlone = !run.wordsCut && complainsOfStaticAlone(run.words, files);
+  if (!run.wordsCut) verdict.hidden = staticFunctions(run.words, files);
   return verdict;
 }
 

@@ -38,7 +38,7 @@ struct CompileVerdict {
   bool wasKilled = false;             ///< from outside or at a wide limit: worth one more try alone
   bool endedFromOutside = false;      ///< by a wait status, not by words: never the student's, however often
 
-  bool isStaticAlone = false;          ///< it would compile if functions of the contract might be static
+  std::vector<std::string> hidden{};   ///< functions of the contract that are static, where no other error is
   std::vector<std::string> missing{};  ///< functions of the contract, where the linker complains of nothing else
 
   bool passed() const { return outcome == Outcome::Passed; }

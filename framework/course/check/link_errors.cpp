@@ -190,14 +190,15 @@ std::string missingSource(const std::vector<std::string>& functions, const std::
   return source;
 }
 
-bool complainsOfStaticAlone(std::string_view compilerWords, const std::vector<StudentFile>& files) {
-  bool hasErrors = false;
+std::vector<std::string> staticFunctions(std::string_view compilerWords, const std::vector<StudentFile>& files) {
+  std::vector<std::string> functions;
   for (const Diagnostic& diagnostic : parseDiagnostics(compilerWords, files)) {
     if (!diagnostic.isError) continue;
-    if (!contains(diagnostic.message, "was declared 'extern' and later 'static'")) return false;
-    hasErrors = true;
+    const std::size_t end = diagnostic.message.find("' was declared 'extern' and later 'static'");
+    if (end == std::string::npos) return {};
+    functions.push_back(simpleName(diagnostic.message.substr(0, end)));
   }
-  return hasErrors;
+  return functions;
 }
 
 std::string explainLinkErrors(std::string_view linkerText, const std::vector<StudentFile>& files,

@@ -29,7 +29,7 @@ std::string missingSentence(const std::string& function, const std::vector<Stude
 std::string missingSource(const std::vector<std::string>& functions, const std::vector<StudentFile>& files,
                           std::string_view contract, std::string_view contractName);
 
-/// Whether every error of the compiler is a function that the contract has declared and the file makes static.
-bool complainsOfStaticAlone(std::string_view compilerWords, const std::vector<StudentFile>& files);
+/// The functions that the contract has declared and the file makes static; none where GCC has any other error.
+std::vector<std::string> staticFunctions(std::string_view compilerWords, const std::vector<StudentFile>& files);
 
 }  // namespace muelle

@@ -103,8 +103,8 @@ class Builder {
     for (const StudentFile& file : students_) {
       objects.push_back(objectOf(file, scratch.path(), ".o"));
       CompileVerdict verdict = decided(view, scratch.path(), [&] { return compile(view, file, objects.back()); });
-      if (verdict.isStaticAlone) {
-        rules_ = {"-fpermissive"};
+      if (!verdict.hidden.empty()) {
+        hidden_ = verdict.hidden;
         verdict = decided(view, scratch.path(), [&] { return compile(view, file, objects.back()); });
       }
       program.diagnostics += verdict.diagnostics;
@@ -234,15 +234,24 @@ class Builder {
       command.insert(command.end(), flags.begin(), flags.end());
     };
     add(variant != nullptr ? variant->flags() : studentCompileFlags());
-    add(rules_);
+    if (!hidden_.empty()) add({"-fpermissive"});
     add(view.includeFlags(variant == nullptr));
     add(dependencyFlags(object));
     add({"-c", source.string(), "-o", object});
     return command;
   }
 
+  /// GCC has taken a static function for what the contract says of it; nobody else may find it, as in the grader.
+  void hideStatic(const std::string& object) const {
+    for (const std::string& function : hidden_) {
+      const std::string symbols = fmt::format("--localize-symbol=_Z{}{}*", function.size(), function);
+      runTool({"objcopy", "-w", symbols, object}, limits_);
+    }
+  }
+
   CompileVerdict compile(const CompileView& view, const StudentFile& file, const std::string& object) {
     const ToolRun run = runTool(compileCommand(view, view.source(file.name), object, nullptr), limits_);
+    if (run.succeeded) hideStatic(object);
     if (run.succeeded && wantsSecondLook(run, students_)) wantsSecondLook_ = true;
     if (run.succeeded && wantsOtherFill(run, students_)) wantsOtherFill_ = true;
     const CompileVerdict verdict = judgeCompilation(run, students_, limits_);
@@ -313,6 +322,7 @@ class Builder {
       const fs::path source = filledCopy(view, file, scratch, variant);
       const ToolRun run = runTool(compileCommand(view, source, objects.back(), &variant), limits_);
       if (!run.succeeded) return sayNoSecondLook(run, students_);
+      hideStatic(objects.back());
     }
     if (!missingObject_.empty()) objects.push_back(missingObject_);
     const ToolRun run = runTool(linkCommand(objects, scratch / variant.name, variant.isSanitized), limits_);
@@ -328,9 +338,9 @@ class Builder {
   CompileLimits limits_;
   bool wantsSecondLook_ = false;
   bool wantsOtherFill_ = false;
-  std::vector<std::string> rules_;  ///< flags that forgive a static function of the contract; usually none
-  std::string missingObject_;       ///< defines what the files lack; "" when they lack nothing
-  std::string refusal_;             ///< why a source is not compiled at all; "" when all are
+  std::vector<std::string> hidden_;  ///< functions of the contract that the files make static
+  std::string missingObject_;        ///< defines what the files lack; "" when they lack nothing
+  std::string refusal_;              ///< why a source is not compiled at all; "" when all are
   std::string note_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <set>
 
 namespace muelle::grader {
 
@@ -23,12 +24,15 @@ std::vector<std::string> followedIn(const GradedExercise& exercise) {
   return functions;
 }
 
-/// Points that the criteria that judge the function have not given.
-double lostBy(const std::string& function, const GradedExercise& exercise) {
+/// Points that the criteria that judge the function have not given. What several functions share is lost by the first.
+/// \param told the criteria of which it has been said who has lost them
+double lostBy(const std::string& function, const GradedExercise& exercise, std::set<std::string>& told) {
   double lost = 0.0;
   for (const Criterion& criterion : exercise.manifest.criteria) {
     if (std::ranges::find(criterion.functions, function) == criterion.functions.end()) continue;
-    lost += criterion.points - score(criterion, exercise).value_or(criterion.points);
+    if (told.insert(criterion.suite).second) {
+      lost += criterion.points - score(criterion, exercise).value_or(criterion.points);
+    }
   }
   return lost;
 }
@@ -37,8 +41,9 @@ double lostBy(const std::string& function, const GradedExercise& exercise) {
 
 std::vector<std::string> followedSentences(const GradedExercise& exercise) {
   std::vector<std::string> sentences;
+  std::set<std::string> told;
   for (const std::string& function : followedIn(exercise)) {
-    const double lost = lostBy(function, exercise);
+    const double lost = lostBy(function, exercise, told);
     if (lost <= 0.0) continue;
     const std::string points = lost == 1.0 ? "this point" : fmt::format("these {} points", showPoints(lost));
     sentences.push_back(

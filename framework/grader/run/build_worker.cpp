@@ -51,8 +51,8 @@ class Builder {
     }
     Compilation compilation = compile(workplace_, manifest_, sources_, sandbox_);
     CompileVerdict verdict = verdictOn(compilation);
-    if (verdict.isStaticAlone) {
-      rules_ = Rules::Lenient;
+    if (!verdict.hidden.empty()) {
+      hidden_ = verdict.hidden;
       compilation = compileOnceMore();
       verdict = verdictOn(compilation);
     }
@@ -80,7 +80,9 @@ class Builder {
         missingSource(functions, studentFiles(sources_), readFile(contract), contract.filename().string());
   }
 
-  Compilation compileOnceMore() const { return compile(workplace_, manifest_, built_, sandbox_, Build::Plain, rules_); }
+  Compilation compileOnceMore() const {
+    return compile(workplace_, manifest_, built_, sandbox_, Build::Plain, hidden_);
+  }
 
   static ToolRun toolRun(const Compilation& compilation, bool succeeded) {
     constexpr int signalled = 128;  // a shell and bubblewrap pass a signal on as 128 + signal
@@ -104,7 +106,7 @@ class Builder {
     const bool compiled = compilation.stage == Stage::Linking || compilation.stage == Stage::Done;
     CompileVerdict verdict = judgeCompilation(toolRun(compilation, compiled), files, workplace_.limits);
     if (!compiled) return verdict;
-    const CompileVerdict read = judgeDependencies(compilation.dependencies, placeInSandbox(), files);
+    const CompileVerdict read = judgeDependencies(compilation.dependencies, placeInSandbox(), studentFiles(built_));
     if (workplace_.judgesSymbols && !read.passed()) return read;
     const SymbolVerdict symbols = judgeSymbols(readSymbols(compilation.symbols));
     if (workplace_.judgesSymbols && symbols.outcome != Outcome::Passed) {
@@ -219,9 +221,9 @@ class Builder {
   }
 
   Compilation compileAgain(Build build) const {
-    Compilation second = compile(workplace_, manifest_, built_, sandbox_, build, rules_);
+    Compilation second = compile(workplace_, manifest_, built_, sandbox_, build, hidden_);
     const bool isMachines = second.stage == Compilation::Stage::Elsewhere || second.endedFromOutside;
-    return isMachines ? compile(workplace_, manifest_, built_, sandbox_, build, rules_) : second;
+    return isMachines ? compile(workplace_, manifest_, built_, sandbox_, build, hidden_) : second;
   }
 
   BuiltObject refuse(const CompileVerdict& verdict) const {
@@ -241,8 +243,8 @@ class Builder {
   const Store& store_;
   const Manifest& manifest_;
   const Sources& sources_;
-  Sources built_;  ///< with what stands for functions that are missing
-  Rules rules_ = Rules::Usual;
+  Sources built_;                    ///< with what stands for functions that are missing
+  std::vector<std::string> hidden_;  ///< functions of the contract that the file makes static
   const Sandbox& sandbox_;
   const std::string key_;
   const bool fresh_;

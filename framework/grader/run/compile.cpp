@@ -4,6 +4,7 @@
 #include "course/check/compile_rules.h"
 #include "course/check/dependencies.h"
 #include "course/check/filled_flags.h"
+#include "course/check/missing_functions.h"
 #include "grader/run/digest.h"
 #include "grader/run/shared_prelude.h"
 #include "grader/run/tool_watch.h"
@@ -93,8 +94,8 @@ Confinement toolsConfinement(const Workplace& workplace, std::string script) {
 }
 
 Confinement confinementOf(const Workplace& workplace, const Manifest& manifest, const Sources& sources,
-                          SandboxChoice sandbox, Build build, Rules rules) {
-  Confinement confinement = toolsConfinement(workplace, compileScript(workplace, sources, sandbox, build, rules));
+                          SandboxChoice sandbox, Build build, const std::vector<std::string>& hidden) {
+  Confinement confinement = toolsConfinement(workplace, compileScript(workplace, sources, sandbox, build, hidden));
   for (VisibleFile& file : compilersView(workplace, manifest)) confinement.files.push_back(std::move(file));
   for (const auto& [name, content] : sources) {
     std::string text = content;
@@ -169,7 +170,7 @@ std::vector<VisibleFile> compilersView(const Workplace& workplace, const Manifes
 /// compiler, nm and linker do, each watched; the product and the parts that it was linked of leave by stdout, the
 /// lists of what was read and of symbols by descriptor 3.
 std::string compileScript(const Workplace& workplace, const Sources& sources, SandboxChoice sandbox, Build build,
-                          Rules rules) {
+                          const std::vector<std::string>& hidden) {
   const std::string compiler = insideOf(workplace.compiler);
   std::string script = "cd tmp\n";
   for (const auto& [name, content] : sources) {
@@ -179,8 +180,13 @@ std::string compileScript(const Workplace& workplace, const Sources& sources, Sa
         "../submission/{} "
         "-o {} || exit {}\n",
         compilesWithClang() ? ToolWatch::command() : "", compiler, ToolWatch::compilerFlag(),
-        joined(compileFlags(build)) + (rules == Rules::Lenient ? " -fpermissive" : ""), joined(dependencyFlags(object)),
-        name, object, compileFailed);
+        joined(compileFlags(build)) + (hidden.empty() ? "" : " -fpermissive"), joined(dependencyFlags(object)), name,
+        object, compileFailed);
+    for (const std::string& function : hidden) {  // GCC has taken it for what the contract says
+      if (name == missingSourceName) continue;    // it defines what others find
+      script += fmt::format("objcopy -w --localize-symbol='{}*' {} || exit {}\n", assemblersName(function), object,
+                            symbolsFailed);
+    }
     script += fmt::format("cat {} >&3 || exit {}\n", joined(dependencyLists(object)), symbolsFailed);
   }
   return script + fmt::format(
@@ -209,14 +215,14 @@ std::string compilerIdentity(const Workplace& workplace) {
 }
 
 Compilation compile(const Workplace& workplace, const Manifest& manifest, const Sources& sources,
-                    const Sandbox& sandbox, Build build, Rules rules) {
+                    const Sandbox& sandbox, Build build, const std::vector<std::string>& hidden) {
   Compilation compilation;
   Capture capture;
   capture.limit = workplace.limits.wall;
   capture.outBytes = 2 * workplace.limits.product;  // with the parts
   capture.errBytes = workplace.limits.words;
   capture.reportBytes = symbolBytes;
-  Confinement confinement = confinementOf(workplace, manifest, sources, sandbox.choice(), build, rules);
+  Confinement confinement = confinementOf(workplace, manifest, sources, sandbox.choice(), build, hidden);
   const ToolWatch watch;
   watch.addTo(confinement);
   compilation.run = sandbox.run(confinement, capture);

@@ -36,15 +36,10 @@ std::vector<VisibleFile> compilersView(const Workplace& workplace, const Manifes
 /// Where they lie in the sandbox, for judgeDependencies().
 CompilePlace placeInSandbox();
 
-/// How much is forgiven where every error is of one kind.
-enum class Rules {
-  Usual,
-  Lenient,  ///< a function of the contract that is static is taken for one that is missing
-};
-
-/// The commands that are run in the sandbox.
+/// The commands that are run in the sandbox. \param hidden functions of the contract that the file makes static: it is
+/// compiled all the same, and nobody else finds them
 std::string compileScript(const Workplace& workplace, const Sources& sources, SandboxChoice sandbox,
-                          Build build = Build::Plain, Rules rules = Rules::Usual);
+                          Build build = Build::Plain, const std::vector<std::string>& hidden = {});
 
 /// Which compiler and linker: a new package makes new objects.
 std::string compilerIdentity(const Workplace& workplace);
@@ -52,7 +47,7 @@ std::string compilerIdentity(const Workplace& workplace);
 /// Compiles and links the sources into a shared object in the sandbox; nothing but what `Compilation` has leaves it.
 /// Throws std::runtime_error when the sandbox itself does not start.
 Compilation compile(const Workplace& workplace, const Manifest& manifest, const Sources& sources,
-                    const Sandbox& sandbox, Build build = Build::Plain, Rules rules = Rules::Usual);
+                    const Sandbox& sandbox, Build build = Build::Plain, const std::vector<std::string>& hidden = {});
 
 /// The commands that link a student's parts with the reference's functions in the place of some of the student's.
 std::string replacingScript(const Workplace& workplace, const std::vector<std::string>& functions,

@@ -114,9 +114,9 @@ TEST(MissingFunctions, MayBeStaticOnes) {
   const std::vector<StudentFile> files{{"spring.cpp", "static double f() { return 1; }\n"}};
   const std::string isStatic =
       "spring.cpp:1:15: error: 'double f()' was declared 'extern' and later 'static' [-fpermissive]\n";
-  EXPECT_TRUE(complainsOfStaticAlone(isStatic, files));
-  EXPECT_FALSE(complainsOfStaticAlone(isStatic + "spring.cpp:1:20: error: expected ';'\n", files));
-  EXPECT_FALSE(complainsOfStaticAlone("", files));
+  EXPECT_EQ(staticFunctions(isStatic, files), std::vector<std::string>{"f"});
+  EXPECT_TRUE(staticFunctions(isStatic + "spring.cpp:1:20: error: expected ';'\n", files).empty());
+  EXPECT_TRUE(staticFunctions("", files).empty());
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ std::string withForceOnB(const std::string& function) { return begin + mass + fo
 
 TEST_F(Missing, AFunctionThatIsNotThereIsNamed) {
   const GradedExercise graded = grade(withForceOnB(""));
-  EXPECT_EQ(lost(graded), ofForceOnB);
+  ASSERT_EQ(lost(graded), ofForceOnB) << graded.build.message << graded.build.diagnostics;
   const Verdict& verdict = graded.verdicts.at("ThirdLaw");
   EXPECT_EQ(verdict.outcome, Outcome::Link);
   EXPECT_EQ(verdict.fault, "springForceOnB is missing: spring_1d.cpp does not define it");
