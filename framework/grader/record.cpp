@@ -85,6 +85,30 @@ TestOutcome testFromJson(const json& document) {
   return test;
 }
 
+json toJson(const std::vector<double>& numbers) {
+  json list = json::array();
+  for (const double number : numbers) list.push_back(exactText(number));
+  return list;
+}
+
+std::vector<double> numbersFrom(const json& list) {
+  std::vector<double> numbers;
+  for (const json& each : list) numbers.push_back(exactNumber(each.get<std::string>()).value());
+  return numbers;
+}
+
+json toJson(const CounterExample& example) {
+  return {{"function", example.function},
+          {"arguments", example.arguments},
+          {"got", toJson(example.got)},
+          {"expected", toJson(example.expected)}};
+}
+
+CounterExample exampleFromJson(const json& document) {
+  return {document.at("function"), document.at("arguments"), numbersFrom(document.at("got")),
+          numbersFrom(document.at("expected"))};
+}
+
 /// Throws json::exception; std::runtime_error or std::bad_optional_access for values that are none of ours.
 Verdict verdictFromJson(const json& document) {
   if (document.at("version").get<int>() != version) throw std::runtime_error("a record of another version");
@@ -98,6 +122,7 @@ Verdict verdictFromJson(const json& document) {
   if (nameOf(verdict.outcome) != outcome) throw std::runtime_error("a record of an unknown outcome");
   for (const json& test : document.at("tests")) verdict.tests.push_back(testFromJson(test));
   verdict.evidence = evidenceFromJson(document.at("evidence"));
+  for (const json& each : document.at("examples")) verdict.examples.push_back(exampleFromJson(each));
   document.at("fault").get_to(verdict.fault);
   document.at("confirmed").get_to(verdict.isConfirmed);
   document.at("grader_fault").get_to(verdict.graderFault);
@@ -118,12 +143,15 @@ bool Verdict::passed() const {
 void writeRecord(const Verdict& verdict, const std::filesystem::path& file) {
   json tests = json::array();
   for (const TestOutcome& test : verdict.tests) tests.push_back(toJson(test));
+  json examples = json::array();
+  for (const CounterExample& example : verdict.examples) examples.push_back(toJson(example));
   writeFile(file, dump({{"version", version},
                         {"topic", verdict.topic},
                         {"suite", verdict.suite},
                         {"outcome", nameOf(verdict.outcome)},
                         {"tests", tests},
                         {"evidence", toJson(verdict.evidence)},
+                        {"examples", examples},
                         {"fault", verdict.fault},
                         {"confirmed", verdict.isConfirmed},
                         {"grader_fault", verdict.graderFault},

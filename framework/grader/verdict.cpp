@@ -130,6 +130,7 @@ std::vector<std::string> feedback(const Criterion& criterion, const GradedExerci
     say(mistake.hint);
   }
   say(explanation.fault);
+  for (const std::string& example : explanation.examples) say("for example " + example);
   for (const auto& test : explanation.tests) say("not yet: " + test.property);
   for (const auto& test : explanation.tests) {
     for (const auto& failure : test.failures) {

@@ -31,14 +31,24 @@ struct NamedMistake {
   bool operator==(const NamedMistake&) const = default;
 };
 
+/// A call that a student can check on paper: the simplest found that shows the same mistake.
+struct CounterExample {
+  std::string function;
+  std::vector<std::string> arguments;  ///< each as source
+  std::vector<double> got;             ///< result, then out-parameters
+  std::vector<double> expected;
+  bool operator==(const CounterExample&) const = default;
+};
+
 /// What the test process wrote for one criterion: the only thing that earns points.
 struct Verdict {
   std::string topic;
   std::string suite;
   Outcome outcome = Outcome::Wrong;  ///< Killed and Wall are the machine's word: no score
   std::vector<TestOutcome> tests;
-  Evidence evidence;                   ///< what the calls say, for nameMistakes()
-  std::vector<NamedMistake> mistakes;  ///< named by the pool, over all criteria: not part of the record
+  std::vector<CounterExample> examples;  ///< one of each function that has answered wrongly
+  Evidence evidence;                     ///< what the calls say, for nameMistakes()
+  std::vector<NamedMistake> mistakes;    ///< named by the pool, over all criteria: not part of the record
   std::string fault;  ///< what the student's code did (crash, time-out, forbidden call ...), one line; "" when nothing
   bool isConfirmed = false;  ///< the fault is a sanitizer's finding, of the kinds that the second look is made for
   std::string graderFault;   ///< what went wrong on our side; not empty: no score, run again

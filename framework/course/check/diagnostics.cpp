@@ -4,6 +4,7 @@
 #include "base/text/printable.h"
 #include "base/text/words.h"
 #include "course/check/explanations.h"
+#include "course/check/odd_characters.h"
 #include "course/check/plain_types.h"
 #include "course/check/source_tokens.h"
 
@@ -76,6 +77,18 @@ bool isOfMemory(std::string_view option) {
 /// Those of what was never written.
 bool isOfUnwritten(std::string_view option) { return option.find("uninitialized") != std::string_view::npos; }
 
+/// What is wrong in every run stands first, what is only untidy last. 0 is the heaviest.
+int weightOf(std::string_view option) {
+  static constexpr std::string_view slips[] = {"-Wparentheses", "-Wconversion",  "-Wfloat",        "-Wint-in-bool",
+                                               "-Wsign",        "-Wdiv-by-zero", "-Wbool",         "-Wlogical",
+                                               "-Waddress",     "-Woverflow",    "-Wtautological", "-Wempty-body",
+                                               "-Wmisleading",  "-Wsequence",    "-Wsizeof",       "-Wself-assign"};
+  if (option.starts_with("-Wreturn-type")) return 0;
+  if (isOfMemory(option)) return 1;
+  if (std::ranges::any_of(slips, [&](std::string_view slip) { return option.starts_with(slip); })) return 2;
+  return option.starts_with("-Wunused") ? 4 : 3;
+}
+
 enum class Kind { Error, Warning, Note };
 
 struct Statement {
@@ -120,15 +133,17 @@ class Reader {
     while (!text.empty()) readLine(takeLine(text));
   }
 
-  /// Errors, else warnings; one for each of the student's lines, because what follows on a line follows from it.
+  /// Errors, else warnings; one for each of the student's lines, because what follows on a line follows from it. Before
+  /// the errors the characters that only look like C++: the rest mostly follows from them. Warnings by weight.
   std::vector<Diagnostic> result() const {
     const bool anyError = std::ranges::any_of(found_, &Diagnostic::isError);
-    std::vector<Diagnostic> kept;
+    std::vector<Diagnostic> kept = anyError ? charactersAtFault() : std::vector<Diagnostic>();
     for (const Diagnostic& diagnostic : found_) {
       const bool isRepeated = std::ranges::any_of(
           kept, [&](const Diagnostic& d) { return d.file == diagnostic.file && d.line == diagnostic.line; });
       if (diagnostic.isError == anyError && !isRepeated) kept.push_back(diagnostic);
     }
+    if (!anyError) std::ranges::stable_sort(kept, {}, [](const Diagnostic& d) { return weightOf(d.option); });
     return kept;
   }
 
@@ -139,6 +154,17 @@ class Reader {
   const std::vector<Diagnostic>& found() const { return found_; }
 
  private:
+  std::vector<Diagnostic> charactersAtFault() const {
+    std::vector<Diagnostic> all;
+    for (const StudentFile& file : files_) {
+      const bool hasError =
+          std::ranges::any_of(found_, [&](const Diagnostic& d) { return d.isError && d.file == file.name; });
+      if (!hasError) continue;
+      for (Diagnostic& each : oddCharacters(file)) all.push_back(std::move(each));
+    }
+    return all;
+  }
+
   const StudentFile* studentFile(std::string_view name) const {
     const auto found = std::ranges::find(files_, name, &StudentFile::name);
     return found == files_.end() ? nullptr : &*found;
@@ -208,6 +234,11 @@ class Reader {
     Diagnostic& diagnostic = found_.back();
     if (contains(statement.message, "previously defined here") || contains(statement.message, "previous definition")) {
       explainFirst(statement.location, diagnostic);
+    }
+    if (contains(statement.message, "did you forget to '#include")) {
+      const std::size_t open = statement.message.find("#include");
+      const std::string_view include = statement.message.substr(open, statement.message.find('>', open) + 1 - open);
+      diagnostic.explanation = fmt::format("write {} at the top of the file", include);
     }
     if (contains(statement.message, "old declaration '") &&
         contains(diagnostic.message, "ambiguating new declaration")) {

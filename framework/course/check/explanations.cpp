@@ -142,6 +142,9 @@ std::string explainMessage(std::string_view message, const std::vector<std::stri
   if (contains(message, "is used uninitialized") || contains(message, "may be used uninitialized")) {
     return "it is read before a value was given to it";
   }
+  if (contains(message, "incomplete type") && contains(message, "Eigen::")) {
+    return "write #include <Eigen/Dense> at the top of the file: decompositions, inverse() and determinant() need it";
+  }
   if (contains(message, "No such file or directory")) {
     return "the check finds the contract, the harness, Eigen and the standard library, no other file";
   }

@@ -40,7 +40,9 @@ class RemoteFunction<Result(Args...)> {
                 const std::decay_t<Args>&... args) const {
     (appendOutParameter<Args>(outcome, args), ...);
     if (std::any_of(outcome.begin(), outcome.end(), isFill)) Session::current().noteNeverWritten(name_);
-    History::of(name_).add(given, std::move(outcome));
+    History& history = History::of(name_);
+    history.setOwn(*this);
+    history.add(given, std::move(outcome));
   }
 
   template <class T>

@@ -2,6 +2,7 @@
 
 #include "base/text/printable.h"
 #include "course/testing/never_written.h"
+#include "grader/report/example_sentence.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -117,6 +118,10 @@ Explanation explain(const Criterion& criterion, const GradedExercise& exercise) 
         line(fmt::format("{} {}", verdict.neverWritten.empty() ? "it" : verdict.neverWritten, neverWrittenSentence()));
   if (manifest.feedback != FeedbackLevel::Criterion) explanation.mistakes = mistakesOf(verdict);
   explanation.fault = line(verdict.fault);
+  if (manifest.feedback == FeedbackLevel::Values) {
+    for (const CounterExample& example : verdict.examples)
+      explanation.examples.push_back(line(exampleSentence(example)));
+  }
   explanation.tests = failedTests(verdict, manifest.feedback);
   if (explanation.mistakes.empty()) explanation.hint = line(criterion.hint);
   return explanation;

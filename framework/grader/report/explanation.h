@@ -32,9 +32,10 @@ struct Explanation {
   std::string neverWritten;       ///< what was returned is memory to which nothing was written: said before any mistake
   std::vector<Mistake> mistakes;  ///< misconceptions whose numbers match
   std::string fault;              ///< crash, time-out, forbidden call
-  std::vector<FailedTest> tests;  ///< failed ones
-  std::string hint;               ///< the criterion's, when no mistake was named
-  std::string note;               ///< how the exercise's file was taken; "" when under its own name
+  std::vector<std::string> examples;  ///< calls to check on paper, a line each; only at level Values
+  std::vector<FailedTest> tests;      ///< failed ones
+  std::string hint;                   ///< the criterion's, when no mistake was named
+  std::string note;                   ///< how the exercise's file was taken; "" when under its own name
 };
 
 Explanation explain(const Criterion& criterion, const GradedExercise& exercise);

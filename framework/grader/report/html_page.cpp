@@ -88,7 +88,9 @@ std::string why(const Explanation& explanation, const std::string& printed) {
   std::string html = paragraph("soft", explanation.instead);
   for (const auto& mistake : explanation.mistakes) html += paragraph("cause", mistake.says);
   html += paragraph("cause", explanation.neverWritten) + paragraph("cause", explanation.fault);
-  html += paragraph("hint", explanation.hint) + failedTests(explanation.tests);
+  html += paragraph("hint", explanation.hint);
+  for (const std::string& example : explanation.examples) html += paragraph("example", example);
+  html += failedTests(explanation.tests);
   if (!printed.empty()) html += folded("What your code printed", fmt::format("<pre>{}</pre>\n", escapeHtml(printed)));
   return html.empty() ? "" : "<div class=\"why\">\n" + html + "</div>\n";
 }
@@ -122,7 +124,7 @@ std::string mending(const Mending& mending) {
       fmt::format("Costs {}: {}", counted(static_cast<long long>(mending.criteria.size()), "criterion", "criteria"),
                   fmt::join(mending.criteria, "; "));
   return fmt::format("<li class=\"{}\">\n", mending.isNamed ? "mistake" : "fault") + paragraph("says", mending.says) +
-         paragraph("hint", mending.hint) + paragraph("soft", costs) + "</li>\n";
+         paragraph("hint", mending.hint) + paragraph("example", mending.example) + paragraph("soft", costs) + "</li>\n";
 }
 
 /// What a student reads first: each thing to mend, once.

@@ -20,15 +20,18 @@ class Mendings {
     const Explanation explanation = explain(criterion, exercise);
     if (explanation.state == Explanation::State::Passed || explanation.state == Explanation::State::GraderFault) return;
     const double lost = criterion.points - score(criterion, exercise).value_or(criterion.points);
-    add(explanation.neverWritten, "", false, criterion, lost);
-    for (const Explanation::Mistake& each : explanation.mistakes) add(each.says, each.hint, true, criterion, lost);
-    if (explanation.mistakes.empty()) add(explanation.fault, "", false, criterion, lost);
+    add(explanation.neverWritten, "", false, criterion, lost, {});
+    for (const Explanation::Mistake& each : explanation.mistakes)
+      add(each.says, each.hint, true, criterion, lost, explanation);
+    if (explanation.mistakes.empty()) add(explanation.fault, "", false, criterion, lost, {});
   }
 
-  void add(const std::string& says, const std::string& hint, bool isNamed, const Criterion& criterion, double lost) {
+  void add(const std::string& says, const std::string& hint, bool isNamed, const Criterion& criterion, double lost,
+           const Explanation& explanation) {
     if (says.empty()) return;
     auto known = std::ranges::find(all_, says, &Mending::says);
-    if (known == all_.end()) known = all_.insert(all_.end(), {says, hint, isNamed, {}, 0.0});
+    if (known == all_.end()) known = all_.insert(all_.end(), {says, hint, "", isNamed, {}, 0.0});
+    if (known->example.empty() && !explanation.examples.empty()) known->example = explanation.examples.front();
     known->criteria.push_back(criterion.name);
     known->points += lost;
   }

@@ -10,6 +10,7 @@ namespace muelle::grader {
 struct Mending {
   std::string says;
   std::string hint;                   ///< may be ""
+  std::string example;                ///< a call to check on paper; may be ""
   bool isNamed = false;               ///< a mistake whose numbers match; else a fault
   std::vector<std::string> criteria;  ///< names of those that it costs, in the manifest's order
   double points = 0.0;                ///< what these have lost together

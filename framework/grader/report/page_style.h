@@ -70,6 +70,8 @@ a:hover { color: var(--accent); text-decoration: underline; }
 .cause::before { content: "Because: "; font-weight: 600; }
 details.passed { border-top: 1px solid var(--line); }
 details.passed > summary { padding: .7rem 1.25rem; color: var(--good); font-size: 1rem; }
+.example { font: .875rem/1.5 ui-monospace, SFMono-Regular, Menlo, Consolas, "DejaVu Sans Mono", monospace; }
+.example::before { content: "For example: "; font-family: system-ui, sans-serif; font-weight: 600; color: var(--soft); }
 .hint::before { content: "Hint: "; font-weight: 600; color: var(--accent); }
 .test { display: grid; gap: .4rem; min-width: 0; }
 .property::before { content: "Does not hold yet: "; color: var(--bad); font-weight: 600; }

@@ -35,6 +35,8 @@ std::vector<std::string> commandFor(const Workplace& workplace, const Candidate&
       candidate.manifest.topic,
       "--worker",
       object.string(),
+      "--contract",
+      workplace.contract(candidate.manifest.topic).string(),
       "--host",
       (isSecond ? workplace.sanitisedHost : workplace.host).string(),
       "--core-locks",

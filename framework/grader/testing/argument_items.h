@@ -118,6 +118,13 @@ void keepPart(T& value, Part part) {
   }
 }
 
+/// One change to the arguments of a call: numbers at a place, or a part of a list.
+struct Edit {
+  Leaf leaf;
+  Change change;            ///< of the numbers at `leaf`; or empty:
+  Part part = Part::First;  ///< of the list that is argument `leaf.argument`
+};
+
 /// Gives all members of a list the first one's numbers at `leaf`.
 template <class T>
 void takeFirstForAll(T& value, const Leaf& leaf) {

@@ -1,8 +1,10 @@
 #pragma once
+#include "course/testing/print_value.h"
 #include "grader/remote/numbers.h"
 #include "grader/testing/argument_items.h"
 #include "grader/wire/signature.h"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -47,6 +49,14 @@ class CallHistoryBase {
   virtual Numbers oracleWithTwice(std::size_t call, int i, int j) const = 0;
   /// What a listed mistake gives.
   virtual Numbers listed(std::size_t mistake, std::size_t call) const = 0;
+  /// Asks the submission what it answers to a call with its arguments edited, and takes that as one more call, the
+  /// last; none is added when there are too many. Throws SubmissionFault.
+  virtual void ask(std::size_t call, const Edit& edit) = 0;
+  /// Forgets all calls but the first so many.
+  virtual void keepOnly(std::size_t calls) = 0;
+  /// The arguments of a call, each as source.
+  virtual std::vector<std::string> argumentTexts(std::size_t call) const = 0;
+
   /// Ids of the listed mistakes, in the order of their registration; one may stand several times.
   virtual std::vector<std::string> mistakes() const = 0;
 
@@ -80,6 +90,10 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
     calls_.push_back({given, std::move(outcome)});
   }
 
+  /// \param own the submission's function; it adds its calls here
+  void setOwn(Function own) {
+    if (!own_) own_ = std::move(own);
+  }
   void setOracle(Function oracle) { oracle_ = std::move(oracle); }
   void addMistake(std::string id, Function mistake) { mistakes_.emplace_back(std::move(id), std::move(mistake)); }
 
@@ -138,6 +152,24 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
     return evaluate(oracle_, std::move(arguments));
   }
 
+  void ask(std::size_t call, const Edit& edit) override {
+    Tuple arguments = *calls_[call].given;
+    forEachArgument(arguments, [&edit](auto& argument, int index) {
+      if (index != edit.leaf.argument) return;
+      if (edit.change) return changeAt(argument, edit.leaf, edit.change);
+      keepPart(argument, edit.part);
+    });
+    if (own_) evaluate(own_, std::move(arguments));
+  }
+  void keepOnly(std::size_t calls) override { calls_.resize(std::min(calls, calls_.size())); }
+
+  std::vector<std::string> argumentTexts(std::size_t call) const override {
+    std::vector<std::string> texts;
+    forEachArgument(*calls_[call].given,
+                    [&texts](const auto& argument, int) { texts.push_back(printValue(argument)); });
+    return texts;
+  }
+
   std::vector<std::string> mistakes() const override {
     std::vector<std::string> ids;
     for (const auto& [id, mistake] : mistakes_) ids.push_back(id);
@@ -173,6 +205,7 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
 
   std::vector<Call> calls_;
   std::size_t numbers_ = 0;
+  Function own_;
   Function oracle_;
   std::vector<std::pair<std::string, Function>> mistakes_;
 };

@@ -15,6 +15,7 @@
 #include "grader/testing/gather_evidence.h"
 #include "grader/testing/of_use.h"
 #include "grader/testing/recorder.h"
+#include "grader/testing/shrink.h"
 
 #include <fmt/format.h>
 #include <filesystem>
@@ -42,6 +43,7 @@ struct Options {
   int wallMilliseconds = 30'000;
   bool sanitised = false;
   bool refilled = false;
+  std::string contract;               ///< the header, for names and ranges
   std::vector<std::string> ownLower;  ///< given::f of these is the student's f
 };
 
@@ -98,6 +100,7 @@ Options readOptions(int argc, char** argv) {
   program.option("--wall-milliseconds", options.wallMilliseconds, "");
   program.flag("--sanitised", options.sanitised, "");
   program.flag("--refilled", options.refilled, "");
+  program.option("--contract", options.contract, "");
   program.option("--own-lower", options.ownLower, "").separator(',');
   program.option("--seed", options.seed, "").required();
   program.run(argc, argv);
@@ -157,6 +160,22 @@ Evidence evidenceOf(const Verdict& verdict) {
   return evidence;
 }
 
+/// One of each function that has answered wrongly. A fault that only the search meets costs nothing: the verdict is
+/// made.
+std::vector<CounterExample> examplesOf(const Verdict& verdict, const std::string& contract) {
+  std::vector<CounterExample> examples;
+  if (verdict.outcome != Outcome::Wrong || contract.empty()) return examples;
+  const std::string text = muelle::readFile(contract);
+  for (const auto& [function, history] : CallHistoryBase::all()) {
+    try {
+      if (auto example = simplestCounterExample(function, *history, text)) examples.push_back(std::move(*example));
+    } catch (const SubmissionFault&) {
+      break;
+    }
+  }
+  return examples;
+}
+
 void drawFigures(const Options& options) {
   const std::vector<muelle::Figure> reference = muelleReferenceDemo();
   const std::vector<muelle::Figure> student = muelleDemo();
@@ -187,7 +206,10 @@ int run(int argc, char** argv) {
     grade(options, session, verdict);
     verdict.outcome = outcomeOf(verdict, session);
     verdict.neverWritten = session.neverWritten();
-    if (options.ownLower.empty()) verdict.evidence = evidenceOf(verdict);
+    if (options.ownLower.empty()) {
+      verdict.evidence = evidenceOf(verdict);
+      verdict.examples = examplesOf(verdict, options.contract);
+    }
   } else {
     try {
       drawFigures(options);

@@ -1,0 +1,232 @@
+#include "grader/testing/shrink.h"
+
+#include "grader/testing/generic_mistakes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace muelle::grader {
+
+namespace {
+
+using Kind = ArgumentItem::Kind;
+using Numbers = std::vector<double>;
+
+constexpr int mostPasses = 3;
+constexpr int mostQuestions = 400;
+/// Answers further apart than this are seen to differ in what is printed.
+constexpr double visible = 1e-4;
+
+/// What a number may become, the simplest first.
+constexpr double simpleNumbers[] = {0, 1, 2, 3, -1, -2, 10};
+
+double rounded(double number, int digits) {
+  if (number == 0 || !std::isfinite(number)) return number;
+  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(number))) - (digits - 1));
+  return std::round(number / unit) * unit;
+}
+
+bool isUnit(const Numbers& numbers) {
+  double square = 0;
+  for (const double number : numbers) square += number * number;
+  return std::abs(square - 1) < 1e-9;
+}
+
+class Shrinker {
+ public:
+  Shrinker(const std::string& function, CallHistoryBase& history, std::string_view contract)
+      : history_(history),
+        asked_(history.calls()),
+        parameters_(parametersOf(contract, function)),
+        ranges_(rangesOf(contract)) {}
+
+  std::optional<std::size_t> run() {
+    const auto first = firstWrong();
+    if (!first) return std::nullopt;
+    base_ = *first;
+    mustBeVisible_ = isVisible(base_);
+    for (const Prediction& each : genericMistakes(history_)) remember(each.numbers);
+    for (std::size_t i = 0; i < history_.mistakes().size(); ++i) {
+      remember([this, i](std::size_t call) { return history_.listed(i, call); });
+    }
+    for (int pass = 0; pass < mostPasses; ++pass) {
+      const std::size_t before = base_;
+      shrinkAll();
+      if (base_ == before) break;
+    }
+    return base_;
+  }
+
+ private:
+  using Predicted = std::function<Numbers(std::size_t)>;
+
+  bool isWrong(std::size_t call) const {
+    return !agree(history_.outcome(call), history_.oracle(call), history_.roundOff(call));
+  }
+
+  bool isVisible(std::size_t call) const {
+    const Numbers& got = history_.outcome(call);
+    const Numbers expected = history_.oracle(call);
+    if (got.size() != expected.size()) return true;
+    for (std::size_t i = 0; i < got.size(); ++i) {
+      if (!(std::abs(got[i] - expected[i]) <= visible * std::max(1.0, scaleOf(expected)))) return true;
+    }
+    return false;
+  }
+
+  std::optional<std::size_t> firstWrong() const {
+    std::optional<std::size_t> found;
+    for (std::size_t call = 0; call < asked_; ++call) {
+      if (!isWrong(call)) continue;
+      if (isVisible(call)) return call;
+      if (!found) found = call;
+    }
+    return found;
+  }
+
+  /// Of the hypotheses those count that explain all calls.
+  void remember(const Predicted& predicted) {
+    for (std::size_t call = 0; call < asked_; ++call) {
+      if (!agree(history_.outcome(call), predicted(call), history_.roundOff(call))) return;
+    }
+    agreeing_.push_back(predicted);
+  }
+
+  void shrinkAll() {
+    const std::vector<ArgumentItem> items = history_.items(base_);
+    for (const ArgumentItem& item : items) {
+      if (item.kind == Kind::List) shrinkList(item.leaf);
+    }
+    for (const ArgumentItem& item : items) {
+      if (item.kind == Kind::Number || item.kind == Kind::Field) shrinkNumber(item.leaf);
+      if (item.kind == Kind::Vector) shrinkVector(item);
+    }
+  }
+
+  void shrinkList(const Leaf& leaf) {
+    for (const Part part : {Part::First, Part::WithoutFirst, Part::WithoutLast}) {
+      while (sizeOf(leaf) > 1 && attempt({leaf, {}, part})) {
+      }
+    }
+  }
+
+  double sizeOf(const Leaf& leaf) const { return numbersAt(leaf).front(); }
+
+  Numbers numbersAt(const Leaf& leaf) const {
+    for (ArgumentItem& item : history_.items(base_)) {
+      if (item.leaf == Leaf{leaf.argument, leaf.field, -1}) {
+        return leaf.component < 0 ? item.numbers : Numbers{item.numbers[static_cast<std::size_t>(leaf.component)]};
+      }
+    }
+    return {0.0};
+  }
+
+  void shrinkNumber(const Leaf& leaf) {
+    for (const double simple : simpleNumbers) {
+      if (isAlready(leaf, simple) ||
+          (isAllowed(leaf, simple) && attempt({leaf, [simple](double) { return simple; }}))) {
+        return;
+      }
+    }
+    for (const int digits : {1, 2}) {
+      const Numbers now = numbersAt(leaf);
+      const auto change = [digits](double number) { return rounded(number, digits); };
+      const bool changes = std::ranges::any_of(now, [&](double number) { return change(number) != number; });
+      if (!changes || attempt({leaf, change})) return;
+    }
+  }
+
+  bool isAlready(const Leaf& leaf, double simple) const {
+    return std::ranges::all_of(numbersAt(leaf), [simple](double number) { return number == simple; });
+  }
+
+  void shrinkVector(const ArgumentItem& item) {
+    if (isAlwaysUnit(item.leaf)) return shrinkDirection(item.leaf);
+    const bool isPoint = item.numbers.size() <= mostComponents;
+    if (isPoint && attempt({item.leaf, [](double) { return 0.0; }})) return;
+    for (std::size_t i = 0; i < item.numbers.size(); ++i) {
+      shrinkNumber({item.leaf.argument, item.leaf.field, static_cast<int>(i)});
+    }
+  }
+
+  /// A unit vector becomes an axis.
+  void shrinkDirection(const Leaf& leaf) {
+    for (const double along : {1.0, -1.0}) {
+      for (const int axis : {2, 0, 1}) {
+        int component = 0;
+        if (attempt({leaf, [&component, axis, along](double) { return component++ == axis ? along : 0.0; }})) return;
+      }
+    }
+  }
+
+  /// A vector that has length 1 in all calls is a direction: the contract asks for that.
+  bool isAlwaysUnit(const Leaf& leaf) const {
+    for (std::size_t call = 0; call < asked_; ++call) {
+      for (const ArgumentItem& item : history_.items(call)) {
+        if (item.leaf == leaf && !isUnit(item.numbers)) return false;
+      }
+    }
+    return true;
+  }
+
+  /// Within the contract's range, where it has one.
+  bool isAllowed(const Leaf& leaf, double number) const {
+    const auto index = static_cast<std::size_t>(leaf.argument);
+    if (index >= parameters_.size() || leaf.component >= 0) return true;
+    const Parameter& parameter = parameters_[index];
+    const auto field = static_cast<std::size_t>(leaf.field);
+    const bool isField = leaf.field >= 0 && field < parameter.fields.size();
+    const std::string& name = isField ? parameter.fields[field] : parameter.name;
+    const auto range = std::ranges::find(ranges_, name, &Range::name);
+    return range == ranges_.end() || (range->least <= number && number <= range->most);
+  }
+
+  /// Asks; keeps the edited call as the new base when it shows the same mistake.
+  bool attempt(const Edit& edit) {
+    if (questions_++ >= mostQuestions) return false;
+    const std::size_t before = history_.calls();
+    history_.ask(base_, edit);
+    if (history_.calls() == before) return false;
+    if (!showsTheSame(before)) {
+      history_.keepOnly(before);
+      return false;
+    }
+    base_ = before;
+    return true;
+  }
+
+  bool showsTheSame(std::size_t call) const {
+    const Numbers expected = history_.oracle(call);
+    const bool isFinite = std::ranges::all_of(expected, [](double number) { return std::isfinite(number); });
+    if (!isFinite || !isWrong(call) || (mustBeVisible_ && !isVisible(call))) return false;
+    return std::ranges::all_of(agreeing_, [&](const Predicted& predicted) {
+      return agree(history_.outcome(call), predicted(call), history_.roundOff(call));
+    });
+  }
+
+  CallHistoryBase& history_;
+  std::size_t asked_;
+  std::vector<Parameter> parameters_;
+  std::vector<Range> ranges_;
+  std::vector<Predicted> agreeing_;
+  std::size_t base_ = 0;
+  bool mustBeVisible_ = true;
+  int questions_ = 0;
+};
+
+}  // namespace
+
+std::optional<CounterExample> simplestCounterExample(const std::string& function, CallHistoryBase& history,
+                                                     std::string_view contract) {
+  if (!history.hasOracle()) return std::nullopt;
+  const std::size_t asked = history.calls();
+  const std::optional<std::size_t> found = Shrinker(function, history, contract).run();
+  std::optional<CounterExample> example;
+  if (found) {
+    example = CounterExample{function, history.argumentTexts(*found), history.outcome(*found), history.oracle(*found)};
+  }
+  history.keepOnly(asked);
+  return example;
+}
+
+}  // namespace muelle::grader
