@@ -110,7 +110,9 @@ class Check {
     const std::vector<Misconception> mistakes = mistakesIn(first, report);
     for (const Misconception& mistake : mistakes) fmt::print("  {}\n", mistake.says);
     fmt::print("{}", showFailure(first));
-    for (const Misconception& mistake : mistakes) fmt::print("  {} {}\n", bold("hint:"), mistake.hint);
+    for (const Misconception& mistake : mistakes) {
+      if (!mistake.hint.empty()) fmt::print("  {} {}\n", bold("hint:"), mistake.hint);
+    }
     if (isKnown && mistakes.empty()) fmt::print("  {} {}\n", bold("hint:"), criterion->hint);
     fmt::print("\n");
   }

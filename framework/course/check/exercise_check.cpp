@@ -94,7 +94,8 @@ class ReportReader {
       current_.outcome = outcomeNamed(text);
       hasOutcome_ = true;
     }
-    if (kind == "factor") takeFactor(text);
+    if (kind == "factor") takeFinding(&CommonFinding::factor, text);
+    if (kind == "difference") takeFinding(&CommonFinding::difference, text);
     if (kind == "crash") crash_ = text;
     if (kind == "end") end(text == "passed");
     if (kind == "done") done_ = true;
@@ -173,11 +174,14 @@ class ReportReader {
   void takeMismatch(const std::string& text) {
     if (const std::optional<Mismatch> mismatch = readMismatch(text)) current_.mismatches.push_back(*mismatch);
   }
-  /// "-1 springForce"
-  void takeFactor(const std::string& text) {
+  /// "-1 springForce": a factor or a difference
+  void takeFinding(double CommonFinding::*kind, const std::string& text) {
     const std::size_t blank = std::min(text.find(' '), text.size());
-    const std::optional<double> factor = exactNumber(text.substr(0, blank));
-    if (factor && blank < text.size()) report_.findings.push_back({text.substr(blank + 1), *factor});
+    const std::optional<double> number = exactNumber(text.substr(0, blank));
+    if (!number || blank >= text.size()) return;
+    CommonFinding finding{text.substr(blank + 1)};
+    finding.*kind = *number;
+    report_.findings.push_back(std::move(finding));
   }
   void begin(const std::string& fullName) {
     current_ = testNamed(fullName);
@@ -399,6 +403,13 @@ std::vector<Misconception> namedMistakes(const TestReport& report, const Manifes
       return finding.function == known.function && commonFactor(known.id) == finding.factor;
     };
     if (std::ranges::any_of(report.findings, shows)) named.push_back(known);
+  }
+  for (const CommonFinding& finding : report.findings) {
+    const bool isNamed = std::ranges::find(named, finding.function, &Misconception::function) != named.end();
+    const bool isFactor = finding.difference == 0.0;
+    const std::string says = isFactor ? factorSentence(finding.factor, finding.function)
+                                      : differenceSentence(finding.difference, finding.function);
+    if (!isNamed && !says.empty()) named.push_back({isFactor ? "factor" : "term", finding.function, says, ""});
   }
   return named;
 }

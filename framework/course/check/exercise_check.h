@@ -20,10 +20,11 @@ struct FailedTest {
   Outcome outcome = Outcome::Wrong;
 };
 
-/// A function each of whose numbers is the same multiple of the right one (common_mistake.h).
+/// A function each of whose numbers is the same multiple of the right one, or off by the same (common_mistake.h).
 struct CommonFinding {
   std::string function;
   double factor = 1.0;
+  double difference = 0.0;
 };
 
 /// What the public tests say about a program.
@@ -55,8 +56,8 @@ struct CurvesReport {
   std::string trouble;  ///< why there are none, or not all; "" when all is well
 };
 
-/// The misconceptions of the manifest that the numbers of the public tests show as they are, in its order. None when
-/// memory was never written or the program crashed: then numbers are luck.
+/// The mistakes that the numbers of the public tests show as they are: those of the manifest in its order and words,
+/// then what no manifest need list. None when memory was never written or the program crashed: then numbers are luck.
 std::vector<Misconception> namedMistakes(const TestReport& report, const Manifest& manifest);
 
 /// Runs the demo of a built program and draws its curves into `folder`.

@@ -84,6 +84,8 @@ class ReportingListener : public testing::EmptyTestEventListener {
     for (const auto& [function, answers] : comparedAnswers()) {
       if (const std::optional<double> factor = answers.factor()) {
         report("factor", exactText(*factor) + " " + function);
+      } else if (const std::optional<double> difference = answers.difference()) {
+        report("difference", exactText(*difference) + " " + function);
       }
     }
   }

@@ -1,5 +1,6 @@
 #include "course/testing/common_mistake.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,6 +20,7 @@ constexpr auto commonMistakes = std::to_array<CommonMistake>({
     {"halved", 0.5},
     {"half_kept", 0.5},
     {"missing_half", 2.0},
+    {"doubled", 2.0},
     {"half", 0.5},
 });
 
@@ -54,12 +56,38 @@ std::optional<double> commonFactor(std::string_view id) {
 
 void Answers::add(std::span<const double> got, std::span<const double> expected, double tolerance) {
   for (std::size_t i = 0; i < std::min(got.size(), expected.size()); ++i) {
-    if (!isNear(got[i], expected[i], tolerance)) ++wrong_;
+    if (!isNear(got[i], expected[i], tolerance)) addWrong(got[i], expected[i], tolerance);
     for (const CommonMistake& mistake : commonMistakes) {
       const double factor = mistake.factor;
       if (!isNear(got[i], factor * expected[i], std::abs(factor) * tolerance)) isRefuted_[factor] = true;
     }
   }
+}
+
+void Answers::addWrong(double got, double expected, double tolerance) {
+  if (wrong_++ == 0) {
+    difference_ = got - expected;
+    firstExpected_ = expected;
+  }
+  hasOneDifference_ = hasOneDifference_ && isNear(got - expected, *difference_, 2 * tolerance);
+  areRightOnesDifferent_ = areRightOnesDifferent_ || std::abs(expected - firstExpected_) > 2 * tolerance;
+}
+
+std::optional<double> Answers::difference() const {
+  const bool isSure = wrong_ >= fewestWrong && hasOneDifference_ && areRightOnesDifferent_;
+  return isSure ? difference_ : std::nullopt;
+}
+
+std::string factorSentence(double factor, std::string_view function) {
+  if (factor == -1.0) return fmt::format("{} gives the right size with the wrong sign, in every call", function);
+  if (factor == 2.0) return fmt::format("{} gives twice the right answer, in every call", function);
+  if (factor == 0.5) return fmt::format("{} gives half of the right answer, in every call", function);
+  return "";
+}
+
+std::string differenceSentence(double difference, std::string_view function) {
+  return fmt::format("{} is off by {:.6g} in every call: a term is missing, or has the wrong sign", function,
+                     std::abs(difference));
 }
 
 std::optional<double> Answers::factor() const {

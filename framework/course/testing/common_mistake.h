@@ -16,6 +16,13 @@ namespace muelle {
 /// one of these ("plane_wrong_sign"); nullopt for an exercise's own mistake.
 std::optional<double> commonFactor(std::string_view id);
 
+/// What a factor does, in words that hold whatever its cause: "springForce gives the right size with the wrong sign, in
+/// every call". "" for a factor that is no common mistake's.
+std::string factorSentence(double factor, std::string_view function);
+
+/// "nodeAcceleration is off by 9.81 in every call: a term is missing, or has the wrong sign".
+std::string differenceSentence(double difference, std::string_view function);
+
 /// The numbers that one function has returned, held against the right ones.
 class Answers {
  public:
@@ -26,10 +33,20 @@ class Answers {
   /// are wrong; else nullopt.
   std::optional<double> factor() const;
 
+  /// By how much every number that is wrong is off, always the same, where the right ones are not the same; nullopt
+  /// when fewer than `fewestWrong` are wrong, or they are off by this and that.
+  std::optional<double> difference() const;
+
   static constexpr int fewestWrong = 2;
 
  private:
+  void addWrong(double got, double expected, double tolerance);
+
   std::map<double, bool> isRefuted_;  ///< by factor
+  std::optional<double> difference_;  ///< of the first wrong number
+  double firstExpected_ = 0.0;        ///< beside it
+  bool hasOneDifference_ = true;
+  bool areRightOnesDifferent_ = false;
   int wrong_ = 0;
 };
 

@@ -136,6 +136,7 @@ std::string mutantsText(const TopicMatrix& matrix) {
                                  countOf(matrix, Mutant::Fate::Killed), countOf(matrix, Mutant::Fate::NotCompilable),
                                  countOf(matrix, Mutant::Fate::Survived));
   for (const Mutant& mutant : matrix.mutants) text += mutantText(mutant);
+  for (const std::string& end : matrix.endsNotPassed) text += "  ! of the contract's range: " + end + "\n";
   for (const std::string& stale : matrix.staleSurvivors) text += "  ! " + stale + "\n";
   return text;
 }

@@ -1,5 +1,8 @@
 #include "grader/matrix/matrix.h"
 
+#include "base/file.h"
+#include "grader/matrix/ranges.h"
+#include "grader/naming/merged_evidence.h"
 #include "grader/run/grade.h"
 
 #include <algorithm>
@@ -28,6 +31,12 @@ void fill(MatrixRow& row, const GradedExercise& graded) {
     for (const NamedMistake& mistake : verdict.mistakes) row.named.insert(mistake.id);
   }
   row.points = score(graded);
+}
+
+/// The solution answers every call: what it was asked is what the hidden tests pass.
+void lookAtRanges(const Workplace& workplace, TopicMatrix& matrix, const GradedExercise& graded) {
+  const std::string contract = readFile(workplace.contract(matrix.manifest.topic));
+  matrix.endsNotPassed = endsNotPassed(contract, mergedEvidence(graded.verdicts));
 }
 
 /// Criteria of an exercise, those that have killed most mutants first.
@@ -153,8 +162,9 @@ void runMatrix(const Workplace& workplace, std::vector<TopicMatrix>& matrices, c
   for (TopicMatrix& matrix : matrices) {
     for (MatrixRow& row : matrix.rows) {
       counter.expectOne();
-      grader.addExercise(pool, matrix.manifest, &row.sources, {}, [&row, &counter](const GradedExercise& graded) {
+      grader.addExercise(pool, matrix.manifest, &row.sources, {}, [&](const GradedExercise& graded) {
         fill(row, graded);
+        if (row.kind == MatrixRow::Kind::Solution) lookAtRanges(workplace, matrix, graded);
         counter.count();
       });
     }

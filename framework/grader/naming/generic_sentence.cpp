@@ -1,5 +1,7 @@
 #include "grader/naming/generic_sentence.h"
 
+#include "course/testing/common_mistake.h"
+
 #include <fmt/format.h>
 #include <array>
 #include <cmath>
@@ -20,9 +22,6 @@ std::string component(int index, std::size_t size = 3) {
 /// One sentence a mistake; {f} the function, {p} and {q} its arguments, {v} the constant or component.
 const std::map<std::string, const char*>& sentences() {
   static const std::map<std::string, const char*> table{
-      {"wrong_sign", "{f} gives the right size with the wrong sign, in every call"},
-      {"doubled", "{f} gives twice the right answer, in every call"},
-      {"halved", "{f} gives half of the right answer, in every call"},
       {"absolute_value", "{f} loses the sign: it gives the size of the right answer, never a negative number"},
       {"always_negative", "{f} loses the sign: it gives the right size, always negative"},
       {"cut_result", "{f} cuts its answer to a whole number, as an int does"},
@@ -117,6 +116,7 @@ std::string sentenceOf(const Hypothesis& hypothesis, const std::string& function
     return fmt::format("{} gives 0 where the right answer is {}, and is right elsewhere", function,
                        hypothesis.value < 0 ? "negative" : "positive");
   }
+  if (const auto factor = commonFactor(hypothesis.id)) return factorSentence(*factor, function);
   const auto found = sentences().find(hypothesis.id);
   if (found == sentences().end()) return "";
   const auto words = [&](std::size_t i) {
