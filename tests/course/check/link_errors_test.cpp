@@ -111,11 +111,11 @@ TEST(MissingFunctions, AreDefinedWithWhatIsToBeSaidOfThem) {
 }
 
 TEST(MissingFunctions, MayBeStaticOnes) {
-  const std::vector<StudentFile> students{{"spring.cpp", "static double f() { return 1; }\n"}};
+  const std::vector<StudentFile> students{{"spring.cpp", "static double f() { return 1; }\n}\n"}};
   const std::string isStatic =
       "spring.cpp:1:15: error: 'double f()' was declared 'extern' and later 'static' [-fpermissive]\n";
   EXPECT_EQ(staticFunctions(isStatic, students), std::vector<std::string>{"f"});
-  EXPECT_TRUE(staticFunctions(isStatic + "spring.cpp:1:20: error: expected ';'\n", students).empty());
+  EXPECT_TRUE(staticFunctions(isStatic + "spring.cpp:2:1: error: expected ';'\n", students).empty());
   EXPECT_TRUE(staticFunctions("", students).empty());
 }
 
