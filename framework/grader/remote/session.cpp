@@ -80,6 +80,8 @@ std::vector<std::byte> Session::call(const Request& request) {
 
 void Session::fail(const SubmissionFault& fault) {
   note(fault, lastFunction_);
+  if (worker_) worker_->end();  // what else it sends cannot be told from an answer
+  needsFreshWorker_ = true;
   throw fault;
 }
 

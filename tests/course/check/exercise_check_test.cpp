@@ -630,7 +630,7 @@ TEST_F(Check, TheOutcomeHasTheGradersClass) {
                 .outcome,
             Outcome::Cpu);
   EXPECT_EQ(build("int x = ;\n").outcome, Outcome::Compile);
-  EXPECT_EQ(build(twice).outcome, Outcome::Link);
+  EXPECT_EQ(run(twice).outcome, Outcome::Link);
 }
 
 TEST_F(Check, EndlessPrintingIsCutAndCostsOnlyItsTime) {

@@ -103,20 +103,20 @@ TEST(MissingFunctions, AreThoseOfTheContractWhereNothingElseIsWrong) {
 }
 
 TEST(MissingFunctions, AreDefinedWithWhatIsToBeSaidOfThem) {
-  const std::vector<StudentFile> files{{"spring.cpp", "inline Vec3 springForce(Vec3 xa) { return xa; }\n"}};
-  const std::string source = missingSource({"springForce"}, files, springContract, "spring.h");
+  const std::vector<StudentFile> students{{"spring.cpp", "inline Vec3 springForce(Vec3 xa) { return xa; }\n"}};
+  const std::string source = missingSource({"springForce"}, students, springContract, "spring.h");
   EXPECT_NE(source.find("Vec3 springForce(const Vec3& xa, const Vec3& xb, double k, double L0) {"), std::string::npos)
       << source;
   EXPECT_NE(source.find("springForce is missing: spring.cpp:1 is inline"), std::string::npos) << source;
 }
 
 TEST(MissingFunctions, MayBeStaticOnes) {
-  const std::vector<StudentFile> files{{"spring.cpp", "static double f() { return 1; }\n"}};
+  const std::vector<StudentFile> students{{"spring.cpp", "static double f() { return 1; }\n}\n"}};
   const std::string isStatic =
       "spring.cpp:1:15: error: 'double f()' was declared 'extern' and later 'static' [-fpermissive]\n";
-  EXPECT_EQ(staticFunctions(isStatic, files), std::vector<std::string>{"f"});
-  EXPECT_TRUE(staticFunctions(isStatic + "spring.cpp:1:20: error: expected ';'\n", files).empty());
-  EXPECT_TRUE(staticFunctions("", files).empty());
+  EXPECT_EQ(staticFunctions(isStatic, students), std::vector<std::string>{"f"});
+  EXPECT_TRUE(staticFunctions(isStatic + "spring.cpp:2:1: error: expected ';'\n", students).empty());
+  EXPECT_TRUE(staticFunctions("", students).empty());
 }
 
 }  // namespace
