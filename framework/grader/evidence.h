@@ -48,6 +48,7 @@ struct FunctionEvidence {
   long notANumber = 0;      ///< wrong calls with a NaN or an infinity in the answer
   long zero = 0;            ///< calls answered by nothing but zeros
   long wrongZero = 0;       ///< those among the wrong calls
+  bool isStateful = false;  ///< another answer to the same question
   bool isConstant = false;  ///< one answer to all calls, where the oracle has several
   std::vector<Hypothesis> agreeing;  ///< those that give the submission's answer in every call
   std::map<Feature, FeatureRange> features;

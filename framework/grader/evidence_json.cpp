@@ -43,6 +43,7 @@ json toJson(const FunctionEvidence& evidence) {
           {"not_a_number", evidence.notANumber},
           {"zero", evidence.zero},
           {"wrong_zero", evidence.wrongZero},
+          {"stateful", evidence.isStateful},
           {"constant", evidence.isConstant},
           {"agreeing", agreeing},
           {"features", features}};
@@ -57,6 +58,7 @@ FunctionEvidence functionFrom(const json& document) {
   document.at("not_a_number").get_to(evidence.notANumber);
   document.at("zero").get_to(evidence.zero);
   document.at("wrong_zero").get_to(evidence.wrongZero);
+  document.at("stateful").get_to(evidence.isStateful);
   document.at("constant").get_to(evidence.isConstant);
   for (const json& each : document.at("agreeing")) {
     evidence.agreeing.push_back({each.at(0), each.at(1), leavesFrom(each.at(2)), exactOf(each.at(3))});

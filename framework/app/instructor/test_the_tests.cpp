@@ -4,6 +4,7 @@
 #include "base/progress_bar.h"
 #include "grader/matrix/corpus_share.h"
 #include "grader/matrix/matrix_text.h"
+#include "grader/matrix/sentences.h"
 #include "grader/record.h"
 
 #include <fmt/format.h>
@@ -54,6 +55,21 @@ bool restOfTheCorpora() {
   return runCtest({"--label-regex", "^(hostile|parity)$"}) == 0;
 }
 
+/// Compares what students are told with tests/submissions/TOPIC/sentences.txt; --remember writes that file anew.
+bool sentencesAreKnown(const grader::Workplace& workplace, const grader::TopicMatrix& matrix,
+                       const MatrixCommand& command) {
+  const fs::path file = workplace.source / "tests" / "submissions" / matrix.manifest.topic / "sentences.txt";
+  if (command.remember) {
+    grader::writeSentences(file, matrix.sentences);
+    return true;
+  }
+  const bool isUsual = command.seed == usualSeed;
+  const std::vector<std::string> lines =
+      grader::differencesOfSentences(file, matrix.sentences, command.share == 1 && isUsual);
+  for (const std::string& line : lines) fmt::print("  ! {}\n", line);
+  return lines.empty();
+}
+
 /// True when everything came out as stated.
 bool gradeMatrices(const MatrixCommand& command) {
   const auto start = std::chrono::steady_clock::now();
@@ -76,7 +92,7 @@ bool gradeMatrices(const MatrixCommand& command) {
   bool good = true;
   for (const grader::TopicMatrix& matrix : matrices) {
     fmt::print("{}\n", grader::matrixText(matrix));
-    good = good && matrix.good();
+    good = good && matrix.good() && sentencesAreKnown(workplace, matrix, command);
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   fmt::print("{}{}time                      {:.0f} s\n", grader::summaryText(grader::summarise(matrices)),
@@ -87,13 +103,16 @@ bool gradeMatrices(const MatrixCommand& command) {
 
 int testTheTests(const MatrixCommand& command) {
   const bool isWhole = command.topics.empty() && !command.noMutants && command.share == 1;
-  if (command.remember && !isWhole) {
-    throw std::runtime_error("--remember notes the whole corpus as known: leave TOPIC, --no-mutants and --share out");
+  if (command.remember && command.share != 1) {
+    throw std::runtime_error("--remember notes submissions that have been graded as known: leave --share out");
+  }
+  if (command.remember && command.topics.empty() && command.noMutants) {
+    throw std::runtime_error("--remember without TOPIC notes the whole corpus as known: leave --no-mutants out");
   }
   bool good = gradeMatrices(command);
   if (isWhole) good = restOfTheCorpora() && good;
   if (good && command.remember) {
-    grader::rememberCorpus(grader::Workplace::ofThisBuild().source / "tests" / "submissions");
+    grader::rememberCorpus(grader::Workplace::ofThisBuild().source / "tests" / "submissions", command.topics);
   }
   return good ? 0 : 1;
 }

@@ -98,10 +98,15 @@ std::vector<fs::path> submissionsIn(const fs::path& corpus) {
   return found;
 }
 
-void rememberCorpus(const fs::path& corpus) {
+void rememberCorpus(const fs::path& corpus, const std::vector<std::string>& topics) {
+  const std::map<std::string, std::string> known = readKnown(corpus / listName);
   std::string text = head;
   for (const fs::path& folder : submissionsIn(corpus)) {
-    text += fmt::format("{} {}\n", digestOfFolder(folder), nameIn(corpus, folder));
+    const std::string name = nameIn(corpus, folder);
+    const bool isSeen = topics.empty() || std::ranges::find(topics, name.substr(0, name.find('/'))) != topics.end();
+    const auto before = known.find(name);
+    if (isSeen) text += fmt::format("{} {}\n", digestOfFolder(folder), name);
+    if (!isSeen && before != known.end()) text += fmt::format("{} {}\n", before->second, name);
   }
   muelle::writeFile(corpus / listName, text);
 }

@@ -7,7 +7,7 @@
 namespace muelle::grader {
 
 /// One known submission in so many is taken by `./muelle test`; `./muelle test-the-tests` takes all.
-inline constexpr int usualShare = 8;
+inline constexpr int usualShare = 24;
 
 /// Which submissions of a corpus (tests/submissions) are taken. A submission is known when the corpus's list
 /// `known.txt` holds its folder with the digest of what stands in it now: all of it has once been seen to come out as
@@ -35,7 +35,8 @@ int shareOfEnvironment();
 /// The folders of the corpus that hold submissions (files and no folders), sorted.
 std::vector<std::filesystem::path> submissionsIn(const std::filesystem::path& corpus);
 
-/// Notes every submission of the corpus as known, in a file that replaces the old one whole.
-void rememberCorpus(const std::filesystem::path& corpus);
+/// Notes submissions of the corpus as known, in a file that replaces the old one whole: all of them, or those of
+/// `topics` beside what is known of the others.
+void rememberCorpus(const std::filesystem::path& corpus, const std::vector<std::string>& topics = {});
 
 }  // namespace muelle::grader

@@ -56,6 +56,7 @@ struct TopicMatrix {
   Manifest manifest;
   std::vector<MatrixRow> rows;
   std::vector<Mutant> mutants;
+  std::set<std::string> sentences;          ///< what students are told, without its numbers
   std::vector<std::string> endsNotPassed;   ///< of the contract's ranges, one line each
   std::vector<std::string> staleSurvivors;  ///< entries of mutants.toml that match no mutation, one line each
 

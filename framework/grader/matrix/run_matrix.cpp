@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "grader/matrix/ranges.h"
+#include "grader/matrix/sentences.h"
 #include "grader/naming/merged_evidence.h"
 #include "grader/run/grade.h"
 
@@ -132,11 +133,16 @@ class MutantRun {
   Sources sources_;
 };
 
-/// How much is done, for a progress bar.
+/// How much is done, for a progress bar, and what all submissions of an exercise have in common.
 class Counter {
  public:
   explicit Counter(const MatrixListener& listener) : listener_(listener) {}
   void expectOne() { ++all_; }
+  /// Submissions are graded side by side.
+  void addSentences(TopicMatrix& matrix, const GradedExercise& graded) {
+    const std::lock_guard lock(mutex_);
+    matrix.sentences.merge(sentencesOf(graded));
+  }
   void count() {
     const std::lock_guard lock(mutex_);
     ++done_;
@@ -164,6 +170,7 @@ void runMatrix(const Workplace& workplace, std::vector<TopicMatrix>& matrices, c
       counter.expectOne();
       grader.addExercise(pool, matrix.manifest, &row.sources, {}, [&](const GradedExercise& graded) {
         fill(row, graded);
+        counter.addSentences(matrix, graded);
         if (row.kind == MatrixRow::Kind::Solution) lookAtRanges(workplace, matrix, graded);
         counter.count();
       });

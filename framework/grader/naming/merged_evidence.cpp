@@ -21,6 +21,7 @@ void merge(FunctionEvidence& all, const FunctionEvidence& more) {
   all.notANumber += more.notANumber;
   all.zero += more.zero;
   all.wrongZero += more.wrongZero;
+  all.isStateful = all.isStateful || more.isStateful;
   all.isConstant = all.isConstant && more.isConstant;
   std::erase_if(all.agreeing, [&more](const Hypothesis& each) {
     return std::ranges::find(more.agreeing, each) == more.agreeing.end();

@@ -25,7 +25,7 @@ class Namer {
 
   std::optional<NamedMistake> nameOf(const std::string& function) const {
     const FunctionEvidence& evidence = evidence_.at(function);
-    if (evidence.wrong + evidence.imprecise < fewestWrong) return std::nullopt;
+    if (!evidence.isStateful && evidence.wrong + evidence.imprecise < fewestWrong) return std::nullopt;
     for (const auto way : {&Namer::degenerate, &Namer::listed, &Namer::generic, &Namer::notANumber,
                            &Namer::nearlyRightName, &Namer::wholeNumbers, &Namer::partly}) {
       if (auto named = (this->*way)(function, evidence)) return named;
@@ -37,6 +37,11 @@ class Namer {
   using Found = std::optional<NamedMistake>;
 
   Found degenerate(const std::string& function, const FunctionEvidence& evidence) const {
+    if (evidence.isStateful) {
+      return NamedMistake{"stateful", function,
+                          fmt::format("{} gives another answer when it is asked the same again", function),
+                          "Take out static and global variables, and give every variable a value in each call."};
+    }
     if (evidence.zero == evidence.calls) {
       return NamedMistake{"zero", function, fmt::format("{} always gives 0", function),
                           "It may still be as it was handed out, or return before it has computed anything."};
@@ -155,7 +160,8 @@ std::vector<std::string> functionsOf(const Manifest& manifest, const Evidence& e
 
 bool isLostBy(const Verdict& verdict, const std::string& function) {
   const auto found = verdict.evidence.find(function);
-  return found != verdict.evidence.end() && found->second.wrong + found->second.imprecise > 0;
+  return found != verdict.evidence.end() &&
+         (found->second.isStateful || found->second.wrong + found->second.imprecise > 0);
 }
 
 bool mayBeNamed(const Verdict& verdict) {

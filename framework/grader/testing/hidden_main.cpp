@@ -150,11 +150,12 @@ Outcome outcomeOf(const Verdict& verdict, const Session& session) {
 
 /// What the calls say, for the pool: it sees all criteria. Of memory that was never written the numbers are nobody's: a
 /// NaN of the fill is no missing guard.
-Evidence evidenceOf(const Verdict& verdict) {
+Evidence evidenceOf(const Verdict& verdict, const Session& session) {
   Evidence evidence;
   for (const auto& [function, history] : CallHistoryBase::all()) {
     if (function == verdict.neverWritten) continue;
     FunctionEvidence found = gatherEvidence(*history);
+    found.isStateful = verdict.outcome == Outcome::Wrong && session.unreliable().contains(function);
     if (found.calls > 0) evidence.emplace(function, std::move(found));
   }
   return evidence;
@@ -207,7 +208,7 @@ int run(int argc, char** argv) {
     verdict.outcome = outcomeOf(verdict, session);
     verdict.neverWritten = session.neverWritten();
     if (options.ownLower.empty()) {
-      verdict.evidence = evidenceOf(verdict);
+      verdict.evidence = evidenceOf(verdict, session);
       verdict.examples = examplesOf(verdict, options.contract);
     }
   } else {
