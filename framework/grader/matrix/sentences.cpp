@@ -1,6 +1,7 @@
 #include "grader/matrix/sentences.h"
 
 #include "base/file.h"
+#include "grader/matrix/token.h"
 
 #include <fmt/format.h>
 #include <cctype>
@@ -13,7 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool isLetter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 /// The end of the number that begins at `at`: digits, a point, an exponent; hexadecimal, too.

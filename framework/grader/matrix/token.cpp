@@ -10,7 +10,6 @@ namespace {
 
 bool isNameStart(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool isName(char c) { return isNameStart(c) || std::isdigit(static_cast<unsigned char>(c)) != 0; }
-bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool isSpace(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
 constexpr std::array<std::string_view, 24> longOperators{"<<=", ">>=", "...", "->*", "<=>", "::", "->", "++",

@@ -6,6 +6,9 @@
 
 namespace muelle::grader {
 
+/// Of 0 to 9.
+inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
 /// A piece of C++ source: enough of the language to mutate a solution, not to compile it.
 struct Token {
   enum class Kind { Identifier, Number, Literal, Operator };

@@ -33,7 +33,7 @@ GradedExercise exerciseOf(std::vector<Verdict> verdicts) {
 /// What is said first of a submission with this force.
 NamedMistake named(const ForceFunction& own, const std::string& source = "") {
   ForceHistory history;
-  ask(history, own);
+  ask(history, own, 40);
   GradedExercise exercise = exerciseOf({lostBy(history)});
   nameMistakes(exercise, springContract, source);
   const std::vector<NamedMistake>& mistakes = exercise.verdicts.at("Force").mistakes;
