@@ -131,10 +131,13 @@ std::string sentenceOf(const Hypothesis& hypothesis, const std::string& function
 
 Separation separationOf(const FunctionEvidence& evidence, const std::vector<Parameter>& parameters) {
   if (evidence.wrong == 0 || evidence.wrong == evidence.calls || !isNoAccident(evidence)) return {};
-  for (const auto& [feature, range] : evidence.features) {
-    const std::string name = nameOf(feature, parameters);
-    if (range.mostWrong < range.fewestRight) return wrongBelow(name, range);
-    if (range.mostRight < range.fewestWrong) return wrongAbove(name, range);
+  for (const char* kind : {"distance", "length", "value", "count", "least", "most", "difference"}) {
+    for (const auto& [feature, range] : evidence.features) {
+      if (feature.kind != kind) continue;
+      const std::string name = nameOf(feature, parameters);
+      if (range.mostWrong < range.fewestRight) return wrongBelow(name, range);
+      if (range.mostRight < range.fewestWrong) return wrongAbove(name, range);
+    }
   }
   return {};
 }
