@@ -26,8 +26,22 @@ std::string withUnit(const std::string& number, const std::string& unit) {
   return unit.empty() ? number : number + ' ' + unit;
 }
 
+/// "springForce" of "springForce(s.xa, s.xb)": the arguments' names are the test's own, and the call shows their
+/// values.
+std::string calledFunction(const std::string& expression) {
+  const std::size_t open = expression.find('(');
+  int depth = 0;
+  for (std::size_t i = open; i < expression.size(); ++i) {
+    if (expression[i] == '(') ++depth;
+    if (expression[i] == ')' && --depth == 0)
+      return i + 1 == expression.size() ? expression.substr(0, open) : expression;
+  }
+  return expression;
+}
+
 std::string what(const Mismatch& mismatch) {
-  const std::string& name = mismatch.label.empty() ? mismatch.expression : mismatch.label;
+  const std::string source = mismatch.ofCall ? calledFunction(mismatch.expression) : mismatch.expression;
+  const std::string& name = mismatch.label.empty() ? source : mismatch.label;
   const std::string where = place(mismatch);
   return name.empty() || where.empty() ? name + where : name + ", " + where;
 }

@@ -89,7 +89,9 @@ std::string why(const Explanation& explanation, const std::string& printed) {
   for (const auto& mistake : explanation.mistakes) html += paragraph("cause", mistake.says);
   html += paragraph("cause", explanation.neverWritten) + paragraph("cause", explanation.fault);
   html += paragraph("hint", explanation.hint);
-  for (const std::string& example : explanation.examples) html += paragraph("example", example);
+  if (explanation.mistakes.empty()) {
+    for (const std::string& example : explanation.examples) html += paragraph("example", example);
+  }
   html += failedTests(explanation.tests);
   if (!printed.empty()) html += folded("What your code printed", fmt::format("<pre>{}</pre>\n", escapeHtml(printed)));
   return html.empty() ? "" : "<div class=\"why\">\n" + html + "</div>\n";
