@@ -33,7 +33,7 @@ struct Mismatch {
 
 /// A mismatch in words, in parts for a page that sets them apart.
 struct MismatchWords {
-  std::string what;      ///< "springForce(xa, xb, k, L0), component 2"; the statement when there is nothing else
+  std::string what;      ///< "springForce, component 2"; the statement when there is nothing else
   std::string got;       ///< "1.5 m", "2 components"; "" for a statement
   std::string expected;  ///< as `got`
   std::string bounds;    ///< "difference 0.5, tolerance 1e-09"; "" when it says nothing
@@ -42,7 +42,7 @@ struct MismatchWords {
 /// The parts of a sentence.
 MismatchWords wordsOf(const Mismatch& mismatch);
 
-/// "springForce(xa, xb, k, L0), component 2: got 1.5, expected 1 (difference 0.5, tolerance 1e-09)": the only place
+/// "springForce, component 2: got 1.5, expected 1 (difference 0.5, tolerance 1e-09)": the only place
 /// where a sentence is made of a mismatch. Not made printable: a statement may hold a student's text.
 std::string sentence(const Mismatch& mismatch);
 

@@ -31,6 +31,8 @@ void count(const MatrixRow& row, MatrixSummary& sum) {
   const bool isRight = row.kind == MatrixRow::Kind::Right || row.kind == MatrixRow::Kind::Solution;
   ++sum.rows;
   sum.exactRows += row.exact() ? 1 : 0;
+  sum.examples += row.examples;
+  sum.examplesForPaper += row.examplesForPaper;
   sum.falseRejections += isRight && !row.lost.empty() ? 1 : 0;
   if (row.expected.named.empty()) return;
   ++sum.misconceptions;

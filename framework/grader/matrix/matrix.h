@@ -30,6 +30,8 @@ struct MatrixRow {
 
   std::set<std::string> lost;   ///< suites that did not pass
   std::set<std::string> named;  ///< misconceptions that were named, over all criteria
+  int examples = 0;             ///< criteria that show a call, and of these
+  int examplesForPaper = 0;     ///< those whose first has numbers of two digits at most
   double points = 0.0;
   std::string trouble;  ///< does not compile, a fault of the grader's: one line; "" when it was graded
 
@@ -67,10 +69,12 @@ struct TopicMatrix {
 struct MatrixSummary {
   int rows = 0;
   int exactRows = 0;
-  int falseRejections = 0;  ///< right submissions, solution included, that lost something
-  int misconceptions = 0;   ///< rows that state one
-  int named = 0;            ///< of these, where it was named
-  int wronglyNamed = 0;     ///< names, in all rows, of something else than is stated
+  int falseRejections = 0;   ///< right submissions, solution included, that lost something
+  int misconceptions = 0;    ///< rows that state one
+  int named = 0;             ///< of these, where it was named
+  int wronglyNamed = 0;      ///< names, in all rows, of something else than is stated
+  int examples = 0;          ///< criteria, in all rows, that show a call
+  int examplesForPaper = 0;  ///< of these, where the numbers of the first have two digits at most
   int killed = 0;
   int notCompilable = 0;
   int survivedWithReason = 0;

@@ -194,6 +194,10 @@ std::string summaryText(const MatrixSummary& sum) {
   text += fmt::format("false rejections          {}\n", sum.falseRejections);
   text += fmt::format("misconceptions named      {} of {} ({:.0f} %), wrongly named {}\n", sum.named,
                       sum.misconceptions, share, sum.wronglyNamed);
+  if (sum.examples > 0) {
+    text += fmt::format("calls to check on paper   {} of {} ({:.0f} %)\n", sum.examplesForPaper, sum.examples,
+                        100.0 * sum.examplesForPaper / sum.examples);
+  }
   const int mutants = sum.killed + sum.notCompilable + sum.survivedWithReason + sum.survivedWithout;
   if (mutants > 0) {
     text += fmt::format("mutants                   {}: killed {}, not compilable {}\n", mutants, sum.killed,

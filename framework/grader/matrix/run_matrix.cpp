@@ -4,6 +4,7 @@
 #include "grader/matrix/ranges.h"
 #include "grader/matrix/sentences.h"
 #include "grader/naming/merged_evidence.h"
+#include "grader/report/example_sentence.h"
 #include "grader/run/grade.h"
 
 #include <algorithm>
@@ -30,6 +31,9 @@ void fill(MatrixRow& row, const GradedExercise& graded) {
     if (!verdict.graderFault.empty()) row.trouble = suite + ": " + verdict.graderFault;
     if (!verdict.passed()) row.lost.insert(suite);
     for (const NamedMistake& mistake : verdict.mistakes) row.named.insert(mistake.id);
+    if (verdict.examples.empty()) continue;
+    ++row.examples;
+    row.examplesForPaper += isForPaper(verdict.examples.front()) ? 1 : 0;
   }
   row.points = score(graded);
 }

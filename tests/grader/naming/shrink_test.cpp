@@ -36,6 +36,13 @@ TEST(Shrink, KeepsTheMistake) {
   EXPECT_EQ(found, "force(2, 1, 0): you return -4, it is -2");
 }
 
+TEST(Shrink, KnowsWhatIsForPaper) {
+  const auto of = [](const char* argument) { return isForPaper({"f", {argument}, {}, {}}); };
+  EXPECT_TRUE(of("Vec3(0.25, -3000, 1e-9)"));
+  EXPECT_TRUE(of("{Attachment{Vec3(0, 0, 12), 1, 0}}"));
+  EXPECT_FALSE(of("Vec3(0, 1.37, 0)"));
+}
+
 TEST(Shrink, HasNothingToSayOfARightFunction) { EXPECT_EQ(simplest(rightForce), "none"); }
 
 }  // namespace
