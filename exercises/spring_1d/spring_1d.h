@@ -3,9 +3,20 @@
 /// Exercise spring_1d: a spring on a line. Implement these functions in spring_1d.cpp; README.md has the mathematics.
 ///
 /// Units are SI. The axis x points up; a positive force or acceleration points up, a negative one down.
-/// All arguments are finite numbers; masses and stiffnesses are positive, rest lengths and g are not negative.
+/// All arguments are finite numbers; masses and stiffnesses are positive, rest lengths and g are not negative. Between
+/// which numbers each lies is stated below. Numbers are double, and answers exact to its round-off.
 
 #include "harness/exercise.h"
+
+MUELLE_RANGE(M, 1e-3, 1e6)     // kg
+MUELLE_RANGE(n, 1, 1000)       // nodes
+MUELLE_RANGE(x, -1000, 1000)   // m
+MUELLE_RANGE(xa, -1000, 1000)  // m
+MUELLE_RANGE(xb, -1000, 1000)  // m
+MUELLE_RANGE(k, 1e-3, 1e9)     // N/m
+MUELLE_RANGE(L0, 0, 1000)      // m
+MUELLE_RANGE(m, 1e-6, 1e6)     // kg
+MUELLE_RANGE(g, 0, 1000)       // m/s^2
 
 /// A spring as seen from the node that it is attached to: where its other end is, and what it is made of.
 struct Attachment {

@@ -3,7 +3,8 @@
 /// Exercise spring_3d: springs in space. Implement these functions in spring_3d.cpp; README.md has the mathematics.
 ///
 /// Units are SI. The axis z points up. All arguments are finite numbers; masses and stiffnesses are positive, rest
-/// lengths and g are not negative.
+/// lengths and g are not negative. Between which numbers each lies is stated below; coordinates lie between -1000 m and
+/// 1000 m. Numbers are double, and answers exact to its round-off.
 ///
 /// The length of a spring between the nodes a and b is L = |xa - xb|. At L = 0 the two nodes coincide and the spring
 /// has no direction: its direction and its force are zero vectors. Every L > 0 has a direction, however short (tests go
@@ -12,6 +13,12 @@
 #include "harness/exercise.h"
 
 using muelle::Vec3;
+
+MUELLE_RANGE(k, 1e-3, 1e9)    // N/m
+MUELLE_RANGE(L0, 0, 1000)     // m
+MUELLE_RANGE(m, 1e-6, 1e6)    // kg
+MUELLE_RANGE(g, 0, 1000)      // m/s^2
+MUELLE_RANGE(springs, 0, 40)  // so many of a node
 
 /// A spring as seen from the node that it is attached to: where its other end is, and what it is made of.
 struct Attachment {

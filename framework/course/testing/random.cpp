@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <string_view>
 
 namespace muelle {
@@ -60,6 +62,12 @@ Mat3 Random::rotation() {
   Mat3 cross;
   cross << 0, -u[2], u[1], u[2], 0, -u[0], -u[1], u[0], 0;
   return (w * w - u.squaredNorm()) * Mat3::Identity() + 2 * u * u.transpose() + 2 * w * cross;
+}
+
+double Random::rounded(double number) {
+  char text[32];  // through the decimal text: the nearest double is the one that prints as three digits
+  std::snprintf(text, sizeof text, "%.2e", number);
+  return std::strtod(text, nullptr);
 }
 
 Random testRandom() {

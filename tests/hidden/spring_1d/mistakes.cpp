@@ -46,6 +46,13 @@ double alwaysAttracts(double xa, double xb, double k, double L0) {
 
 double missingStiffness(double xa, double xb, double, double L0) { return oracle::springForceOnA(xa, xb, 1.0, L0); }
 
+/// What an author of this mistake returns for L = 0 is guarded or not.
+double energyForForce(double xa, double xb, double k, double L0) { return k * std::pow(std::abs(xa - xb) - L0, 2) / 2; }
+
+double guardedEnergy(double xa, double xb, double k, double L0) {
+  return xa == xb ? 0.0 : energyForForce(xa, xb, k, L0);
+}
+
 double halved(double xa, double xb, double k, double L0) { return oracle::springForceOnA(xa, xb, k / 2, L0); }
 
 }  // namespace
@@ -74,6 +81,7 @@ SPRING_MISTAKE(always_attracts, alwaysAttracts);
 SPRING_MISTAKE(missing_stiffness, missingStiffness);
 SPRING_MISTAKE(halved, halved);
 SPRING_MISTAKE(force_at_zero_length, forceAtZeroLength);
+SPRING_MISTAKE(energy_for_force, energyForForce);
 
 // Without the quotient (xa - xb) / L nothing is divided by 0; an author may treat L = 0 all the same.
 namespace guarded {
@@ -88,6 +96,7 @@ double signedLength(double xa, double xb, double k, double L0) {
 
 SPRING_MISTAKE(missing_direction, missingDirection);
 SPRING_MISTAKE(signed_length, signedLength);
+SPRING_MISTAKE(energy_for_force, guardedEnergy);
 
 }  // namespace guarded
 

@@ -36,6 +36,9 @@ MUELLE_COMMON_MISTAKE(springForceMagnitude, halved);
 MUELLE_MISTAKE(springForceMagnitude, missing_stiffness, [](const Vec3& xa, const Vec3& xb, double, double L0) {
   return oracle::springForceMagnitude(xa, xb, 1.0, L0);
 });
+MUELLE_MISTAKE(springForceMagnitude, energy_for_force, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
+  return k * std::pow(lengthOf(xa, xb) - L0, 2) / 2;
+});
 
 // springDirection
 

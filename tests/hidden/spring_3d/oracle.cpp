@@ -18,13 +18,12 @@ Vec3 springDirection(const Vec3& xa, const Vec3& xb) {
 }
 
 Vec3 springForce(const Vec3& xa, const Vec3& xb, double k, double L0) {
-  const Vec3 towardsB = oracle::springDirection(xb, xa);
-  return k * (xb - xa) - k * L0 * towardsB;
+  return given::springForceMagnitude(xa, xb, k, L0) * given::springDirection(xa, xb);
 }
 
 Vec3 nodeAcceleration(const Vec3& x, double m, const std::vector<Attachment>& springs, double g) {
   Vec3 acceleration(0, 0, -g);
-  for (const Attachment& spring : springs) acceleration -= oracle::springForce(spring.x, x, spring.k, spring.L0) / m;
+  for (const Attachment& spring : springs) acceleration += given::springForce(x, spring.x, spring.k, spring.L0) / m;
   return acceleration;
 }
 

@@ -1,0 +1,27 @@
+// loses: ThirdLaw; misconception: halved
+// thought: both nodes share the force
+#include "spring_1d.h"
+
+double lumpedMass(double M, int n) {
+  return M / static_cast<double>(n);
+}
+
+double springForceOnA(double xa, double xb, double k, double L0) {
+  if (xa == xb) return 0.0;
+  const double side = xa > xb ? 1.0 : -1.0;
+  const double stretch = std::fabs(xa - xb) - L0;
+  return -side * k * stretch;
+}
+
+double springForceOnB(double xa, double xb, double k, double L0) {
+  return -springForceOnA(xa, xb, k, L0) / 2;
+}
+
+double hangingAcceleration(double x, double m, const Attachment& top, double g) {
+  return springForceOnA(x, top.x, top.k, top.L0) / m - g;
+}
+
+double accelerationBetween(double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+  const double f = springForceOnA(x, lower.x, lower.k, lower.L0) + springForceOnA(x, upper.x, upper.k, upper.L0);
+  return f / m - g;
+}

@@ -1,0 +1,28 @@
+// loses: ThirdLaw; misconception: swapped_arguments
+#include "spring_1d.h"
+
+double lumpedMass(double M, int n) { return M / n; }
+
+double springForceOnA(double xa, double xb, double k, double L0) {
+  double delta = xb - xa;
+  double length = std::abs(delta);
+  if (!(length > 0)) return 0;
+  return k * (length - L0) * (delta / length);
+}
+
+double springForceOnB(double xa, double xb, double k, double L0) {
+  return springForceOnA(xb, xa, L0, k);
+}
+
+double hangingAcceleration(double x, double m, const Attachment& top, double g) {
+  double force = springForceOnA(x, top.x, top.k, top.L0);
+  force -= m * g;
+  return force / m;
+}
+
+double accelerationBetween(double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+  double Fl = springForceOnA(x, lower.x, lower.k, lower.L0);
+  double Fu = springForceOnA(x, upper.x, upper.k, upper.L0);
+  double Fg = -m * g;
+  return (Fl + Fu + Fg) / m;
+}

@@ -1,0 +1,25 @@
+// loses: ZeroLength; misconception: ignored
+// thought: on an end there is no direction, so no spring acts; but the other one does
+#include "spring_1d.h"
+
+double lumpedMass(double M, int n) { return M / n; }
+
+double springForceOnA(double xa, double xb, double k, double L0) {
+  const double L = std::abs(xa - xb);
+  if (L == 0.0) return 0.0;
+  return -k * (L - L0) * (xa - xb) / L;
+}
+
+double springForceOnB(double xa, double xb, double k, double L0) {
+  double onA = springForceOnA(xa, xb, k, L0);
+  return -onA;
+}
+
+double hangingAcceleration(double x, double m, const Attachment& top, double g) {
+  return springForceOnA(x, top.x, top.k, top.L0) / m - g;
+}
+
+double accelerationBetween(double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+  if (x == lower.x || x == upper.x) return -g;
+  return (springForceOnA(x, lower.x, lower.k, lower.L0) + springForceOnA(x, upper.x, upper.k, upper.L0)) / m - g;
+}

@@ -1,0 +1,24 @@
+// loses: NodeBetween, Oscillator; misconception: gravity_twice
+#include "spring_1d.h"
+
+double lumpedMass(double M, int n) { return M / n; }
+
+double springForceOnA(double xa, double xb, double k, double L0) {
+  if (xa == xb) return 0.0;
+  const double side = xa > xb ? 1.0 : -1.0;
+  const double stretch = std::fabs(xa - xb) - L0;
+  return -side * k * stretch;
+}
+
+double springForceOnB(double xa, double xb, double k, double L0) {
+  // third law
+  return -springForceOnA(xa, xb, k, L0);
+}
+
+double hangingAcceleration(double x, double m, const Attachment& top, double g) {
+  return springForceOnA(x, top.x, top.k, top.L0) / m - g;
+}
+
+double accelerationBetween(double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+  return hangingAcceleration(x, m, lower, g) + hangingAcceleration(x, m, upper, g);
+}

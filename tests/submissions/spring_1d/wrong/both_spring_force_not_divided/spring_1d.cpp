@@ -1,0 +1,25 @@
+// loses: HangingNode, NodeBetween, Oscillator; misconception: force_not_divided
+#include "spring_1d.h"
+
+double lumpedMass(double totalMass, int numNodes) {
+  double nodeMass = totalMass / numNodes;
+  return nodeMass;
+}
+
+double springForceOnA(double xa, double xb, double k, double L0) {
+  const double L = std::abs(xa - xb);
+  if (L == 0.0) return 0.0;
+  return -k * (L - L0) * (xa - xb) / L;
+}
+
+double springForceOnB(double xa, double xb, double k, double L0) { return -springForceOnA(xa, xb, k, L0); }
+
+double hangingAcceleration(double x, double m, const Attachment& top, double g) {
+  (void)m;
+  return springForceOnA(x, top.x, top.k, top.L0) - g;
+}
+
+double accelerationBetween(double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+  (void)m;
+  return springForceOnA(x, lower.x, lower.k, lower.L0) + springForceOnA(x, upper.x, upper.k, upper.L0) - g;
+}

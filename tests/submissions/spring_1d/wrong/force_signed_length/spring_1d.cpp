@@ -1,0 +1,24 @@
+// loses: CrossedNodes; misconception: signed_length
+#include "spring_1d.h"
+
+double lumpedMass(double M, int n) { return M / n; }
+
+double springForceOnA(double xa, double xb, double k, double L0) {
+  double L = xa - xb;
+  if (L == 0) return 0;
+  double dir = L / std::abs(L);
+  return -k * (L - L0) * dir;
+}
+
+double springForceOnB(double xa, double xb, double k, double L0) { return -springForceOnA(xa, xb, k, L0); }
+
+double hangingAcceleration(double x, double m, const Attachment& top, double g) {
+  return springForceOnA(x, top.x, top.k, top.L0) / m - g;
+}
+
+double accelerationBetween(double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+  double Fl = springForceOnA(x, lower.x, lower.k, lower.L0);
+  double Fu = springForceOnA(x, upper.x, upper.k, upper.L0);
+  double Fg = -m * g;
+  return (Fl + Fu + Fg) / m;
+}

@@ -1,0 +1,25 @@
+// loses: HangingNode; misconception: rope
+#include "spring_1d.h"
+
+double lumpedMass(double M, int n) { return M / n; }
+
+double springForceOnA(double xa, double xb, double k, double L0) {
+  const double L = std::abs(xa - xb);
+  if (L == 0.0) return 0.0;
+  return -k * (L - L0) * (xa - xb) / L;
+}
+
+double springForceOnB(double xa, double xb, double k, double L0) { return -springForceOnA(xa, xb, k, L0); }
+
+double hangingAcceleration(double x, double m, const Attachment& top, double g) {
+  const bool slack = std::abs(top.x - x) < top.L0;
+  const double F = slack ? 0.0 : springForceOnA(x, top.x, top.k, top.L0);
+  return F / m - g;
+}
+
+double accelerationBetween(double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+  double Fl = springForceOnA(x, lower.x, lower.k, lower.L0);
+  double Fu = springForceOnA(x, upper.x, upper.k, upper.L0);
+  double Fg = -m * g;
+  return (Fl + Fu + Fg) / m;
+}

@@ -1,0 +1,27 @@
+// loses: LumpedMass; misconception: whole_numbers or integer_division
+#include "spring_1d.h"
+
+double lumpedMass(double M, int n) {
+  int total = M;
+  return (double)total / n;
+}
+
+double springForceOnA(double xa, double xb, double k, double L0) {
+  if (xa == xb) return 0.0;
+  const double side = xa > xb ? 1.0 : -1.0;
+  const double stretch = std::fabs(xa - xb) - L0;
+  return -side * k * stretch;
+}
+
+double springForceOnB(double xa, double xb, double k, double L0) { return -springForceOnA(xa, xb, k, L0); }
+
+double hangingAcceleration(double x, double m, const Attachment& top, double g) {
+  return springForceOnA(x, top.x, top.k, top.L0) / m - g;
+}
+
+double accelerationBetween(double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+  double Fl = springForceOnA(x, lower.x, lower.k, lower.L0);
+  double Fu = springForceOnA(x, upper.x, upper.k, upper.L0);
+  double Fg = -m * g;
+  return (Fl + Fu + Fg) / m;
+}

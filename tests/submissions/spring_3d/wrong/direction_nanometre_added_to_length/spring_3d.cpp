@@ -1,0 +1,21 @@
+// loses: ShortSpring; misconception: softened_length
+// thought: then no case is needed
+#include "spring_3d.h"
+
+double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {
+  return k * (L0 - (xa - xb).norm());
+}
+
+Vec3 springDirection(const Vec3& xa, const Vec3& xb) {
+  return (xa - xb) / ((xa - xb).norm() + 1e-9);
+}
+
+Vec3 springForce(const Vec3& xa, const Vec3& xb, double k, double L0) {
+  return springDirection(xa, xb) * springForceMagnitude(xa, xb, k, L0);
+}
+
+Vec3 nodeAcceleration(const Vec3& x, double m, const std::vector<Attachment>& springs, double g) {
+  Vec3 elastic = Vec3::Zero();
+  for (const auto& [other, k, rest] : springs) elastic += springForce(x, other, k, rest);
+  return elastic / m - Vec3(0, 0, g);
+}

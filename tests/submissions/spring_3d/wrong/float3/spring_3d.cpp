@@ -1,0 +1,24 @@
+// loses: Magnitude, Direction, ShortSpring; misconception: single_precision
+// the length in single precision
+#include "spring_3d.h"
+
+double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {
+  const float L = (xa - xb).norm();
+  return -k * (L - L0);
+}
+
+Vec3 springDirection(const Vec3& xa, const Vec3& xb) {
+  const float L = (xa - xb).norm();
+  if (L == 0) return Vec3::Zero();
+  return (xa - xb) / L;
+}
+
+Vec3 springForce(const Vec3& xa, const Vec3& xb, double k, double L0) {
+  return springForceMagnitude(xa, xb, k, L0) * springDirection(xa, xb);
+}
+
+Vec3 nodeAcceleration(const Vec3& x, double m, const std::vector<Attachment>& springs, double g) {
+  Vec3 force = Vec3(0, 0, -m * g);
+  for (const Attachment& spring : springs) force += springForce(x, spring.x, spring.k, spring.L0);
+  return force / m;
+}

@@ -1,0 +1,32 @@
+// loses: HookeForce; misconception: wrong_sign or swapped_arguments
+// thought: a is pulled to b
+#include "spring_3d.h"
+
+double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {
+  Vec3 r = xa - xb;
+  double L = r.norm();
+  return -k * (L - L0);
+}
+
+Vec3 springDirection(const Vec3& xa, const Vec3& xb) {
+  Vec3 r = xa - xb;
+  double L = r.norm();
+  if (L == 0) {
+    return Vec3::Zero();
+  }
+  return r / L;
+}
+
+Vec3 springForce(const Vec3& xa, const Vec3& xb, double k, double L0) {
+  double mag = springForceMagnitude(xa, xb, k, L0);
+  Vec3 dir = springDirection(xb, xa);
+  return mag * dir;
+}
+
+Vec3 nodeAcceleration(const Vec3& x, double m, const std::vector<Attachment>& springs, double g) {
+  Vec3 F(0, 0, -m * g);
+  for (const Attachment& s : springs) {
+    F += springForce(x, s.x, s.k, s.L0);
+  }
+  return F / m;
+}

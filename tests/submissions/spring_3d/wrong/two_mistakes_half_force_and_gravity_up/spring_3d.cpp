@@ -1,0 +1,21 @@
+// loses: Magnitude, NodeAcceleration, ElasticPendulum; misconception: halved or gravity_up
+#include "spring_3d.h"
+
+double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {
+  return 0.5 * k * (L0 - (xa - xb).norm());
+}
+
+Vec3 springDirection(const Vec3& xa, const Vec3& xb) {
+  const auto n = (xa - xb).norm();
+  return n > 0.0 ? Vec3((xa - xb) / n) : Vec3(Vec3::Zero());
+}
+
+Vec3 springForce(const Vec3& xa, const Vec3& xb, double k, double L0) {
+  return springDirection(xa, xb) * springForceMagnitude(xa, xb, k, L0);
+}
+
+Vec3 nodeAcceleration(const Vec3& x, double m, const std::vector<Attachment>& springs, double g) {
+  Vec3 a(0, 0, g);
+  for (const Attachment& s : springs) a += springForce(x, s.x, s.k, s.L0) / m;
+  return a;
+}
