@@ -1,9 +1,15 @@
 #include "course/testing/random.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <array>
 #include <cmath>
+<<<<<<< HEAD
 #include <cstdio>
 #include <cstdlib>
+=======
+#include <string>
+>>>>>>> hid2
 #include <string_view>
 
 namespace muelle {
@@ -23,12 +29,20 @@ std::uint64_t fold(std::uint64_t hash, std::string_view text) {
 
 }  // namespace
 
+double threeDigits(double number) { return std::stod(fmt::format("{:.3g}", number)); }
+
+Vec3 threeDigits(const Vec3& vector) {
+  return {threeDigits(vector.x()), threeDigits(vector.y()), threeDigits(vector.z())};
+}
+
 double Random::number(double low, double high) {
   constexpr double ulp = 1.0 / 9007199254740992.0;  // 2^-53: 53 random bits make a double in [0, 1)
   return low + (high - low) * static_cast<double>(engine_() >> 11) * ulp;
 }
 
 double Random::positive(double low, double high) { return std::exp(number(std::log(low), std::log(high))); }
+
+double Random::rounded(double low, double high) { return threeDigits(number(low, high)); }
 
 int Random::integer(int low, int high) {
   return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
@@ -51,6 +65,21 @@ Vec3 Random::direction() {
   const double y = normal();
   const double z = normal();
   return Vec3(x, y, z).normalized();
+}
+
+Vec3 Random::roundedDirection() {
+  // Squares that sum to 1 in decimals.
+  static constexpr std::array<std::array<double, 3>, 4> units{
+      {{0.48, 0.6, 0.64}, {0.36, 0.48, 0.8}, {0.28, 0.576, 0.768}, {0.224, 0.6, 0.768}}};
+  const std::array<double, 3>& unit = units[static_cast<std::size_t>(integer(0, 3))];
+  const int first = integer(0, 2);
+  const int step = integer(1, 2);
+  Vec3 direction;
+  for (int i = 0; i < 3; ++i) {
+    const double size = unit[static_cast<std::size_t>((first + step * i) % 3)];
+    direction[i] = integer(0, 1) == 0 ? size : -size;
+  }
+  return direction;
 }
 
 Mat3 Random::rotation() {

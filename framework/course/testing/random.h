@@ -9,6 +9,10 @@
 
 namespace muelle {
 
+/// The nearest number of three significant digits: one that can be read, pasted and checked on paper.
+double threeDigits(double number);
+Vec3 threeDigits(const Vec3& vector);
+
 /// A stream of inputs. Two streams of one seed give the same numbers.
 class Random {
  public:
@@ -18,12 +22,16 @@ class Random {
   double number(double low, double high);
   /// Log-uniform in [low, high), both positive: for stiffnesses, masses, lengths.
   double positive(double low, double high);
+  /// As number(), of three significant digits.
+  double rounded(double low, double high);
   /// Uniform integer in [low, high].
   int integer(int low, int high);
   /// Each component uniform in [-scale, scale).
   Vec3 vector3(double scale);
   /// A unit vector, uniform on the sphere.
   Vec3 direction();
+  /// A unit vector, to the last bit or two, whose components have three digits or fewer; none is zero.
+  Vec3 roundedDirection();
   /// A rotation matrix, uniform over rotations.
   Mat3 rotation();
 

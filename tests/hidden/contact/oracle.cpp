@@ -10,14 +10,13 @@ Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, do
   return force > 0.0 ? Vec3(n * force) : Vec3(Vec3::Zero());
 }
 
-// With r = x - c: n = r / |r|, and |r| v_n = r . v.
 Vec3 sphereContact(const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
   const Vec3 r = x - c;
-  const double squaredDistance = r.dot(r);
-  if (!(squaredDistance > 0.0) || squaredDistance >= R * R) return Vec3::Zero();
-  const double distance = std::sqrt(squaredDistance);
-  const double force = k * R * distance - k * squaredDistance - d * r.dot(v);  // times the distance
-  return force > 0.0 ? Vec3(r * (force / squaredDistance)) : Vec3(Vec3::Zero());
+  const double distance = std::hypot(r.x(), r.y(), r.z());
+  if (distance == 0.0 || distance >= R) return Vec3::Zero();
+  const Vec3 n(r.x() / distance, r.y() / distance, r.z() / distance);
+  const double force = k * (R - distance) - d * n.dot(v);
+  return force > 0.0 ? Vec3(n * force) : Vec3(Vec3::Zero());
 }
 
 // Each node on its own: the rest height of node i, less what every node j presses out of the plane and of the springs

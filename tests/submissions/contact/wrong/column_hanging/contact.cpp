@@ -1,0 +1,37 @@
+// loses: ColumnAtRest; misconception: column_upside_down
+#include "contact.h"
+
+Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+  const double depth = -(x - p).dot(n);
+  if (depth <= 0.0) return Vec3::Zero();
+  const double f = k * depth - d * v.dot(n);
+  if (f <= 0.0) return Vec3::Zero();
+  return f * n;
+}
+
+Vec3 sphereContact(const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+  const Vec3 r = x - c;
+  const double dist = std::hypot(r.x(), r.y(), r.z());
+  if (dist == 0.0 || dist >= R) return Vec3::Zero();
+  const Vec3 n = r / dist;
+  return std::max(0.0, k * (R - dist) - d * v.dot(n)) * n;
+}
+
+std::vector<double> columnAtRest(const std::vector<double>& m, double k, double L0, double kPlane, double g) {
+  double total = 0;
+  for (double mass : m) total += mass * g;
+  std::vector<double> z{-total / kPlane};
+  double load = 0;
+  for (std::size_t i = 0; i + 1 < m.size(); ++i) {
+    load += m[i] * g;
+    z.push_back(z[i] + L0 - load / k);
+  }
+  return z;
+}
+
+Vec3 frictionForce(const Vec3& v, const Vec3& n, double N, double mu, double c) {
+  const Vec3 vt = v - v.dot(n) * n;
+  const double speed = vt.norm();
+  if (speed == 0.0) return Vec3::Zero();
+  return -std::min(mu * N, c * speed) * vt / speed;
+}

@@ -1,0 +1,35 @@
+// loses: ColumnAtRest; misconception: column_undeformed
+#include "contact.h"
+
+Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+  const double depth = -(x - p).dot(n);
+  if (depth <= 0.0) return Vec3::Zero();
+  const double f = k * depth - d * v.dot(n);
+  if (f <= 0.0) return Vec3::Zero();
+  return f * n;
+}
+
+Vec3 sphereContact(const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+  double dist = std::hypot(x[0] - c[0], x[1] - c[1], x[2] - c[2]);
+  if (dist == 0) return Vec3::Zero();
+  Vec3 n = (x - c) / dist;
+  double delta = R - dist;
+  if (delta <= 0) return Vec3::Zero();
+  double f = k * delta - d * v.dot(n);
+  if (f < 0) f = 0;
+  return f * n;
+}
+
+std::vector<double> columnAtRest(const std::vector<double>& m, double k, double L0, double kPlane, double g) {
+  (void)k, (void)kPlane, (void)g;
+  std::vector<double> z;
+  for (std::size_t i = 0; i < m.size(); ++i) z.push_back(static_cast<double>(i) * L0);
+  return z;
+}
+
+Vec3 frictionForce(const Vec3& v, const Vec3& n, double N, double mu, double c) {
+  Vec3 tangential = v - n * n.dot(v);
+  double s = tangential.norm();
+  if (c * s <= mu * N) return -c * tangential;
+  return -mu * N * tangential / s;
+}

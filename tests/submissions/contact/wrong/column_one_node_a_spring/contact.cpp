@@ -1,0 +1,41 @@
+// loses: ColumnAtRest; misconception: column_own_weight
+#include "contact.h"
+
+Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+  double delta = (p - x).dot(n);
+  double vn = v.dot(n);
+  Vec3 F(0, 0, 0);
+  if (delta > 0) {
+    F = std::max(0.0, k * delta - d * vn) * n;
+  }
+  return F;
+}
+
+Vec3 sphereContact(const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+  Vec3 n = x - c;
+  const double distance = std::hypot(n.x(), n.y(), n.z());
+  const double depth = R - distance;
+  if (!(depth > 0) || !(distance > 0)) return Vec3(0, 0, 0);
+  n /= distance;
+  const double push = k * depth - d * n.dot(v);
+  return push > 0 ? Vec3(push * n) : Vec3(0, 0, 0);
+}
+
+std::vector<double> columnAtRest(const std::vector<double>& m, double k, double L0, double kPlane, double g) {
+  double total = 0;
+  for (double mass : m) total += mass;
+  std::vector<double> z{-total * g / kPlane};
+  for (std::size_t i = 1; i < m.size(); ++i) z.push_back(z.back() + L0 - m[i] * g / k);
+  return z;
+}
+
+Vec3 frictionForce(const Vec3& v, const Vec3& n, double N, double mu, double c) {
+  Vec3 vt = v;
+  vt -= vt.dot(n) * n;
+  double vtNorm = vt.norm();
+  if (vtNorm > 0) {
+    double size = c * vtNorm < mu * N ? c * vtNorm : mu * N;
+    return vt * (-size / vtNorm);
+  }
+  return Vec3::Zero();
+}

@@ -1,0 +1,38 @@
+// loses: ColumnAtRest; misconception: column_bottom_alone
+#include "contact.h"
+
+Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+  double delta = (p - x).dot(n);
+  double vn = v.dot(n);
+  Vec3 F(0, 0, 0);
+  if (delta > 0) {
+    F = std::max(0.0, k * delta - d * vn) * n;
+  }
+  return F;
+}
+
+Vec3 sphereContact(const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+  const Vec3 r = x - c;
+  const double dist = std::hypot(r.x(), r.y(), r.z());
+  if (dist == 0.0 || dist >= R) return Vec3::Zero();
+  const Vec3 n = r / dist;
+  return std::max(0.0, k * (R - dist) - d * v.dot(n)) * n;
+}
+
+std::vector<double> columnAtRest(const std::vector<double>& m, double k, double L0, double kPlane, double g) {
+  std::vector<double> z(m.size());
+  z[0] = -m[0] * g / kPlane;
+  for (std::size_t i = 1; i < m.size(); ++i) {
+    double above = 0.0;
+    for (std::size_t j = i; j < m.size(); ++j) above += m[j];
+    z[i] = z[i - 1] + L0 - above * g / k;
+  }
+  return z;
+}
+
+Vec3 frictionForce(const Vec3& v, const Vec3& n, double N, double mu, double c) {
+  const Vec3 vt = v - v.dot(n) * n;
+  const double speed = vt.norm();
+  if (speed == 0.0) return Vec3::Zero();
+  return -std::min(mu * N, c * speed) * vt / speed;
+}

@@ -1,0 +1,31 @@
+// loses: ColumnAtRest; misconception: column_rest_lengths
+#include "contact.h"
+
+Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+  const double inside = n.dot(p - x);
+  return inside > 0 ? Vec3(std::max(k * inside - d * n.dot(v), 0.0) * n) : Vec3(0, 0, 0);
+}
+
+Vec3 sphereContact(const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+  const Vec3 r = x - c;
+  const double dist = std::hypot(r.x(), r.y(), r.z());
+  if (dist == 0.0 || dist >= R) return Vec3::Zero();
+  const Vec3 n = r / dist;
+  return std::max(0.0, k * (R - dist) - d * v.dot(n)) * n;
+}
+
+std::vector<double> columnAtRest(const std::vector<double>& m, double k, double L0, double kPlane, double g) {
+  (void)k;
+  double W = 0;
+  for (double mass : m) W += mass * g;
+  std::vector<double> z(m.size());
+  for (size_t i = 0; i < m.size(); i++) z[i] = -W / kPlane + i * L0;
+  return z;
+}
+
+Vec3 frictionForce(const Vec3& v, const Vec3& n, double N, double mu, double c) {
+  const Vec3 vt = v - v.dot(n) * n;
+  const double speed = vt.norm();
+  if (speed == 0.0) return Vec3::Zero();
+  return -std::min(mu * N, c * speed) * vt / speed;
+}

@@ -1,0 +1,37 @@
+// loses: Friction, FrictionMotion; misconception: none
+// optional, they said
+#include "contact.h"
+
+Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+  double delta = (p - x).dot(n);
+  double vn = v.dot(n);
+  Vec3 F(0, 0, 0);
+  if (delta > 0) {
+    F = std::max(0.0, k * delta - d * vn) * n;
+  }
+  return F;
+}
+
+Vec3 sphereContact(const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+  double dist = std::hypot(x[0] - c[0], x[1] - c[1], x[2] - c[2]);
+  if (dist == 0) return Vec3::Zero();
+  Vec3 n = (x - c) / dist;
+  double delta = R - dist;
+  if (delta <= 0) return Vec3::Zero();
+  double f = k * delta - d * v.dot(n);
+  if (f < 0) f = 0;
+  return f * n;
+}
+
+std::vector<double> columnAtRest(const std::vector<double>& m, double k, double L0, double kPlane, double g) {
+  const int n = m.size();
+  std::vector<double> z(n);
+  for (int i = 0; i < n; i++) {
+    double load = 0;
+    for (int j = i; j < n; j++) load += m[j] * g;
+    z[i] = i == 0 ? -load / kPlane : z[i - 1] + L0 - load / k;
+  }
+  return z;
+}
+
+Vec3 frictionForce(const Vec3&, const Vec3&, double, double, double) { return Vec3::Zero(); }

@@ -1,0 +1,41 @@
+// loses: PlaneNeverPulls, Bounce; misconception: plane_everywhere or plane_pulls
+#include "contact.h"
+
+Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+  const double depth = -(x - p).dot(n);
+  const double leaving = v.dot(n);
+  return (k * depth - d * leaving) * n;
+}
+
+Vec3 sphereContact(const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+  Vec3 n = x - c;
+  const double distance = std::hypot(n.x(), n.y(), n.z());
+  const double depth = R - distance;
+  if (!(depth > 0) || !(distance > 0)) return Vec3(0, 0, 0);
+  n /= distance;
+  const double push = k * depth - d * n.dot(v);
+  return push > 0 ? Vec3(push * n) : Vec3(0, 0, 0);
+}
+
+std::vector<double> columnAtRest(const std::vector<double>& m, double k, double L0, double kPlane, double g) {
+  std::vector<double> weight(m.size());
+  double sum = 0;
+  for (int i = (int)m.size() - 1; i >= 0; i--) {
+    sum += m[i] * g;
+    weight[i] = sum;
+  }
+  std::vector<double> z = {-weight[0] / kPlane};
+  for (size_t i = 1; i < m.size(); i++) z.push_back(z[i - 1] + (L0 - weight[i] / k));
+  return z;
+}
+
+Vec3 frictionForce(const Vec3& v, const Vec3& n, double N, double mu, double c) {
+  Vec3 vt = v;
+  vt -= vt.dot(n) * n;
+  double vtNorm = vt.norm();
+  if (vtNorm > 0) {
+    double size = c * vtNorm < mu * N ? c * vtNorm : mu * N;
+    return vt * (-size / vtNorm);
+  }
+  return Vec3::Zero();
+}

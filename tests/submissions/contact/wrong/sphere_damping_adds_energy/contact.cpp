@@ -1,0 +1,35 @@
+// loses: SphereContact, ContactLaws, Bounce; misconception: sphere_damping_sign or wrong_sign
+#include "contact.h"
+
+Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+  const double inside = n.dot(p - x);
+  return inside > 0 ? Vec3(std::max(k * inside - d * n.dot(v), 0.0) * n) : Vec3(0, 0, 0);
+}
+
+Vec3 sphereContact(const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+  const Vec3 r = x - c;
+  const double dist = r.norm();
+  if (dist == 0 || dist >= R) return Vec3::Zero();
+  const double vr = v.dot(r) / dist;
+  const double f = k * (R - dist) + d * vr;
+  return std::max(0.0, f) * r / dist;
+}
+
+std::vector<double> columnAtRest(const std::vector<double>& m, double k, double L0, double kPlane, double g) {
+  std::vector<double> weight(m.size());
+  double sum = 0;
+  for (int i = (int)m.size() - 1; i >= 0; i--) {
+    sum += m[i] * g;
+    weight[i] = sum;
+  }
+  std::vector<double> z = {-weight[0] / kPlane};
+  for (size_t i = 1; i < m.size(); i++) z.push_back(z[i - 1] + (L0 - weight[i] / k));
+  return z;
+}
+
+Vec3 frictionForce(const Vec3& v, const Vec3& n, double N, double mu, double c) {
+  const Vec3 vt = v - v.dot(n) * n;
+  const double speed = vt.norm();
+  if (speed == 0.0) return Vec3::Zero();
+  return -std::min(mu * N, c * speed) * vt / speed;
+}

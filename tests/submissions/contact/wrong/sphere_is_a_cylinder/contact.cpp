@@ -1,0 +1,39 @@
+// loses: SphereContact, ContactLaws; misconception: missing_component
+// z is left out of the distance
+#include "contact.h"
+
+Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+  const double depth = -(x - p).dot(n);
+  if (depth <= 0.0) return Vec3::Zero();
+  const double f = k * depth - d * v.dot(n);
+  if (f <= 0.0) return Vec3::Zero();
+  return f * n;
+}
+
+Vec3 sphereContact(const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+  const double rx = x.x() - c.x();
+  const double ry = x.y() - c.y();
+  const double dist = std::sqrt(rx * rx + ry * ry);
+  if (dist == 0 || dist >= R) return Vec3::Zero();
+  const Vec3 n(rx / dist, ry / dist, 0.0);
+  return std::max(0.0, k * (R - dist) - d * v.dot(n)) * n;
+}
+
+std::vector<double> columnAtRest(const std::vector<double>& m, double k, double L0, double kPlane, double g) {
+  std::vector<double> weight(m.size());
+  double sum = 0;
+  for (int i = (int)m.size() - 1; i >= 0; i--) {
+    sum += m[i] * g;
+    weight[i] = sum;
+  }
+  std::vector<double> z = {-weight[0] / kPlane};
+  for (size_t i = 1; i < m.size(); i++) z.push_back(z[i - 1] + (L0 - weight[i] / k));
+  return z;
+}
+
+Vec3 frictionForce(const Vec3& v, const Vec3& n, double N, double mu, double c) {
+  Vec3 tangential = v - n * n.dot(v);
+  double s = tangential.norm();
+  if (c * s <= mu * N) return -c * tangential;
+  return -mu * N * tangential / s;
+}

@@ -1,0 +1,41 @@
+// loses: SphereEdges; misconception: sphere_divides_by_zero or missing_guard
+#include "contact.h"
+
+Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+  double delta = (p - x).dot(n);
+  double vn = v.dot(n);
+  Vec3 F(0, 0, 0);
+  if (delta > 0) {
+    F = std::max(0.0, k * delta - d * vn) * n;
+  }
+  return F;
+}
+
+Vec3 sphereContact(const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+  const double dist = (x - c).norm();
+  const Vec3 n = (x - c) / dist;
+  const double depth = R - dist;
+  if (depth <= 0) return Vec3::Zero();
+  double f = k * depth - d * v.dot(n);
+  if (f < 0) f = 0;
+  return f * n;
+}
+
+std::vector<double> columnAtRest(const std::vector<double>& m, double k, double L0, double kPlane, double g) {
+  std::vector<double> weight(m.size());
+  double sum = 0;
+  for (int i = (int)m.size() - 1; i >= 0; i--) {
+    sum += m[i] * g;
+    weight[i] = sum;
+  }
+  std::vector<double> z = {-weight[0] / kPlane};
+  for (size_t i = 1; i < m.size(); i++) z.push_back(z[i - 1] + (L0 - weight[i] / k));
+  return z;
+}
+
+Vec3 frictionForce(const Vec3& v, const Vec3& n, double N, double mu, double c) {
+  Vec3 tangential = v - n * n.dot(v);
+  double s = tangential.norm();
+  if (c * s <= mu * N) return -c * tangential;
+  return -mu * N * tangential / s;
+}

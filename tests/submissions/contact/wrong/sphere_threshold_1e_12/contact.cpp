@@ -1,0 +1,36 @@
+// loses: SphereEdges; misconception: sphere_small_threshold
+#include "contact.h"
+
+Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+  const double inside = n.dot(p - x);
+  return inside > 0 ? Vec3(std::max(k * inside - d * n.dot(v), 0.0) * n) : Vec3(0, 0, 0);
+}
+
+Vec3 sphereContact(const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+  const Vec3 r = x - c;
+  const double dist = r.norm();
+  if (dist < 1e-12) return Vec3::Zero();
+  if (dist >= R) return Vec3::Zero();
+  const Vec3 n = r / dist;
+  const double f = k * (R - dist) - d * v.dot(n);
+  return f > 0 ? Vec3(f * n) : Vec3(0, 0, 0);
+}
+
+std::vector<double> columnAtRest(const std::vector<double>& m, double k, double L0, double kPlane, double g) {
+  double above = 0.0;
+  for (double mi : m) above += mi;
+  std::vector<double> z;
+  z.push_back(-above * g / kPlane);
+  for (std::size_t i = 1; i < m.size(); ++i) {
+    above -= m[i - 1];
+    z.push_back(z.back() + L0 - above * g / k);
+  }
+  return z;
+}
+
+Vec3 frictionForce(const Vec3& v, const Vec3& n, double N, double mu, double c) {
+  const Vec3 vt = v - v.dot(n) * n;
+  const double speed = vt.norm();
+  if (speed == 0.0) return Vec3::Zero();
+  return -std::min(mu * N, c * speed) * vt / speed;
+}
