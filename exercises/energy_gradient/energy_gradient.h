@@ -7,13 +7,18 @@
 /// energy [J], forces and gradients of the energy [N].
 ///
 /// What holds for every function below:
-///  - k > 0 and L0 >= 0; all numbers are finite. Nothing else is passed, so nothing else needs a check.
+///  - k is from 1e-3 to 1e9 N/m, L0 from 0 to 1000 m, a coordinate at most 1000 m in size. Nothing else is passed, so
+///    nothing else needs a check.
+///  - Numbers are double, and derivatives are formulas: exact to round-off.
 ///  - L = |xa - xb| is a length: never negative, also where the nodes have crossed.
 ///  - Where L = 0 the spring has no direction: gradients and forces are zero there, never NaN. Its energy is not zero:
 ///    it is that of a spring compressed to nothing.
-///  - Every L > 0 has a direction, however small: 1e-9 m has one, and so has 1e-18 m.
+///  - Every L > 0 has a direction, however small: 1e-9 m has one, and so has 1e-100 m, the shortest that is passed.
 
 #include "harness/exercise.h"
+
+MUELLE_RANGE(k, 1e-3, 1e9)
+MUELLE_RANGE(L0, 0, 1000)
 
 using muelle::Vec2;
 using muelle::Vec3;

@@ -11,13 +11,19 @@
 /// SI units throughout: positions [m], masses [kg], stiffness [N/m], rest length [m], energy [J], force [N].
 ///
 /// What holds for every function below:
-///  - masses and stiffnesses are positive, rest lengths are not negative, all numbers are finite. Nothing else is
-///    passed, so nothing else needs a check.
+///  - masses are from 1e-6 to 1e6 kg, stiffnesses from 1e-3 to 1e9 N/m, rest lengths from 0 to 1000 m, a coordinate is
+///  at
+///    most 1000 m in size. Nothing else is passed, so nothing else needs a check.
+///  - Numbers are double, and derivatives are formulas: exact to round-off.
 ///  - Where two nodes coincide their spring (L = 0) has no direction: it contributes no force, never NaN, and the two
 ///    other springs act as usual. Its energy is not zero: it is that of a spring compressed to nothing.
-///  - Every L > 0 has a direction, however small: 1e-9 m has one, and so has 1e-18 m.
+///  - Every L > 0 has a direction, however small: 1e-9 m has one, and so has 1e-100 m, the shortest that is passed.
 
 #include "harness/exercise.h"
+
+MUELLE_RANGE(m, 1e-6, 1e6)
+MUELLE_RANGE(k, 1e-3, 1e9)
+MUELLE_RANGE(L0, 0, 1000)
 
 using muelle::Mat3;
 using muelle::Vec3;

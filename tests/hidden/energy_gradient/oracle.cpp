@@ -1,7 +1,6 @@
 /// \file
 /// The expected values, arranged in another way than the statement: the energy is the mean force over the stretch times
-/// the stretch; the gradient is that of the terms of k (L^2 - 2 L L0 + L0^2) / 2, with grad(L^2) = 2 d and
-/// grad(L) = d / L, where d = xa - xb.
+/// the stretch; lengths by hypot, whose squares do not underflow.
 
 #include "energy_gradient.h"
 
@@ -40,18 +39,15 @@ Vec3 lengthGradient(const Vec3& xa, const Vec3& xb) {
   return {d[0] / L, d[1] / L, d[2] / L};
 }
 
+// Blocks of k (L - L0) grad L: what is built on another function asks for that one where it stands for the student's.
 Vec6 energyGradient(const Vec6& x, double k, double L0) {
-  const auto [d, L] = separation(Vec3(x.head<3>()), Vec3(x.tail<3>()));
-  Vec6 gradient = Vec6::Zero();
-  if (L == 0) return gradient;
-  const double factor = k * (1 - L0 / L);
-  for (int i = 0; i < 3; ++i) {
-    gradient[i] = factor * d[i];
-    gradient[3 + i] = -factor * d[i];
-  }
+  const Vec3 xa = x.head<3>(), xb = x.tail<3>();
+  const double slope = k * (separation(xa, xb).L - L0);
+  Vec6 gradient;
+  gradient << slope * given::lengthGradient(xa, xb), slope * given::lengthGradient(xb, xa);
   return gradient;
 }
 
-Vec6 springForces(const Vec6& x, double k, double L0) { return -energyGradient(x, k, L0); }
+Vec6 springForces(const Vec6& x, double k, double L0) { return -given::energyGradient(x, k, L0); }
 
 }  // namespace oracle

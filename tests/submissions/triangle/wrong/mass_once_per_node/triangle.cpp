@@ -1,42 +1,34 @@
-// loses: MassMatrix; misconception: mass_once_per_node
+// loses: MassMatrix; misconception: mass_once_per_node or missing_component
 #include "triangle.h"
-
-namespace {
-
-/// Force on the node at xi of a spring to the node at xj.
-Vec3 springForce(const Vec3& xi, const Vec3& xj, double k, double L0) {
-  const double L = (xi - xj).norm();
-  if (L > 0) return -k * (L - L0) * (xi - xj) / L;
-  return Vec3::Zero();
-}
-
-}  // namespace
 
 Mat9 massMatrix(const Vec3& m) {
   Mat9 M = Mat9::Zero();
-  for (int i = 0; i < 3; ++i) M(3 * i, 3 * i) = m[i];
+  for (int i = 0; i < 3; ++i) {
+    M(3 * i, 3 * i) = m[i];
+  }
   return M;
 }
 
 double triangleEnergy(const Vec9& x, const Vec3& k, const Vec3& L0) {
-  double E = 0.0;
-  for (int s = 0; s < 3; ++s) {
-    const int i = s;
-    const int j = (s + 1) % 3;
+  double twice = 0.0;
+  for (int i = 0, j = 1; i < 3; ++i, j = (j + 1) % 3) {
     const double L = (x.segment<3>(3 * i) - x.segment<3>(3 * j)).norm();
-    E += 0.5 * k[s] * (L - L0[s]) * (L - L0[s]);
+    twice += k[i] * std::pow(L - L0[i], 2);
   }
-  return E;
+  return twice / 2;
 }
 
 Vec9 triangleForce(const Vec9& x, const Vec3& k, const Vec3& L0) {
   Vec9 F = Vec9::Zero();
-  for (int s = 0; s < 3; ++s) {
-    const int i = s;
-    const int j = (s + 1) % 3;
-    const Vec3 force = springForce(x.segment<3>(3 * i), x.segment<3>(3 * j), k[s], L0[s]);
-    F.segment<3>(3 * i) += force;  // += : each node belongs to two springs
-    F.segment<3>(3 * j) -= force;
+  for (int i = 0, j = 1; i < 3; ++i, j = (j + 1) % 3) {
+    const Vec3 r = x.segment<3>(3 * i) - x.segment<3>(3 * j);
+    const double L = r.norm();
+    if (L > 0) {
+      // k (L0 - L) / L
+      const double c = k[i] * (L0[i] / L - 1);
+      F.segment<3>(3 * i) += c * r;
+      F.segment<3>(3 * j) -= c * r;
+    }
   }
   return F;
 }

@@ -1,0 +1,53 @@
+// loses: LengthGradient; misconception: one_coordinate_equal
+// zero wherever one of the differences is zero
+#include "energy_gradient.h"
+
+namespace {
+// extended precision: squares of small numbers do not vanish
+long double length(const double* a, const double* b) {
+  long double sum = 0.0L;
+  for (int i = 0; i < 3; i++) {
+    const long double d = static_cast<long double>(a[i]) - b[i];
+    sum += d * d;
+  }
+  return std::sqrt(sum);
+}
+}  // namespace
+
+double springEnergy1d(const Vec2& x, double k, double L0) {
+  long double L = static_cast<long double>(x[0]) - x[1];
+  if (L < 0) L = -L;
+  return static_cast<double>(0.5L * k * (L - L0) * (L - L0));
+}
+
+double springEnergy(const Vec6& x, double k, double L0) {
+  const long double L = length(x.data(), x.data() + 3);
+  return static_cast<double>(0.5L * k * (L - L0) * (L - L0));
+}
+
+Vec3 lengthGradient(const Vec3& xa, const Vec3& xb) {
+  const long double L = length(xa.data(), xb.data());
+  Vec3 grad = Vec3::Zero();
+  if (xa[0] != xb[0] && xa[1] != xb[1] && xa[2] != xb[2]) {
+    for (int i = 0; i < 3; i++) grad[i] = static_cast<double>((static_cast<long double>(xa[i]) - xb[i]) / L);
+  }
+  return grad;
+}
+
+Vec6 energyGradient(const Vec6& x, double k, double L0) {
+  const long double L = length(x.data(), x.data() + 3);
+  Vec6 grad = Vec6::Zero();
+  if (L > 0.0L) {
+    const long double tension = k * (L - L0);
+    for (int i = 0; i < 3; i++) {
+      const long double d = static_cast<long double>(x[i]) - x[i + 3];
+      grad[i] = static_cast<double>(tension * d / L);
+      grad[i + 3] = -grad[i];
+    }
+  }
+  return grad;
+}
+
+Vec6 springForces(const Vec6& x, double k, double L0) {
+  return -1 * energyGradient(x, k, L0);
+}

@@ -1,0 +1,34 @@
+// loses: TriangleForce, MinusTheGradient, NewtonsThirdLaw, Equivariance, FreeFlight; misconception: wrong_block
+#include "triangle.h"
+
+// One column for each node.
+Mat9 massMatrix(const Vec3& m) {
+  Mat3 diagonals;
+  diagonals.rowwise() = m.transpose();
+  const Vec9 stacked = Eigen::Map<const Vec9>(diagonals.data());
+  Mat9 M = Mat9::Zero();
+  M.diagonal() = stacked;
+  return M;
+}
+
+double triangleEnergy(const Vec9& x, const Vec3& k, const Vec3& L0) {
+  const Mat3 X = Eigen::Map<const Mat3>(x.data());
+  const double s0 = (X.col(1) - X.col(0)).stableNorm() - L0.x();
+  const double s1 = (X.col(2) - X.col(1)).stableNorm() - L0.y();
+  const double s2 = (X.col(0) - X.col(2)).stableNorm() - L0.z();
+  return (k.x() * s0 * s0 + k.y() * s1 * s1 + k.z() * s2 * s2) / 2.0;
+}
+
+Vec9 triangleForce(const Vec9& x, const Vec3& k, const Vec3& L0) {
+  const Mat3 X = Eigen::Map<const Mat3>(x.data());
+  Vec9 F = Vec9::Zero();
+  for (int s = 0; s < 3; ++s) {
+    const int t = s == 2 ? 0 : s + 1;
+    const Vec3 d = X.col(t) - X.col(s);
+    const double L = d.stableNorm();
+    const Vec3 u = L > 0 ? Vec3(d / L) : Vec3(0, 0, 0);
+    F.segment<3>(s) += k[s] * (L - L0[s]) * u;
+    F.segment<3>(t) -= k[s] * (L - L0[s]) * u;
+  }
+  return F;
+}
