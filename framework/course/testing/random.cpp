@@ -4,12 +4,7 @@
 #include <gtest/gtest.h>
 #include <array>
 #include <cmath>
-<<<<<<< HEAD
-#include <cstdio>
-#include <cstdlib>
-=======
 #include <string>
->>>>>>> hid2
 #include <string_view>
 
 namespace muelle {
@@ -93,11 +88,7 @@ Mat3 Random::rotation() {
   return (w * w - u.squaredNorm()) * Mat3::Identity() + 2 * u * u.transpose() + 2 * w * cross;
 }
 
-double Random::rounded(double number) {
-  char text[32];  // through the decimal text: the nearest double is the one that prints as three digits
-  std::snprintf(text, sizeof text, "%.2e", number);
-  return std::strtod(text, nullptr);
-}
+double Random::rounded(double number) { return threeDigits(number); }
 
 Random testRandom() {
   std::uint64_t seed = testSeed();
