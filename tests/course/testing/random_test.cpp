@@ -76,6 +76,13 @@ TEST(Random, StaysInItsRange) {
   EXPECT_TRUE(low && high);
 }
 
+TEST(Random, RoundsToThreeDigits) {
+  EXPECT_EQ(Random::rounded(0.71938), 0.719);
+  EXPECT_EQ(Random::rounded(-1234.5), -1230.0);
+  EXPECT_EQ(Random::rounded(0.99951), 1.0);
+  EXPECT_EQ(Random::rounded(0.0), 0.0);
+}
+
 TEST(TestRandom, DependsOnTheSeedOfTheRunAndOnTheTest) {
   const double before = testRandom().number(0, 1);
   EXPECT_EQ(testRandom().number(0, 1), before);

@@ -15,7 +15,7 @@ std::string forceReturning(const std::string& value) {
   return "double springForceOnA(double xa, double xb, double k, double L0) { " + value + " }\n";
 }
 
-constexpr const char* ownCriteria = "HookeForce CrossedNodes ZeroLength ShortSpring";
+constexpr const char* ownCriteria = "HookeForce CrossedNodes";
 constexpr const char* everythingOfForces =
     "HookeForce CrossedNodes ThirdLaw ZeroLength ShortSpring HangingNode NodeBetween Oscillator";
 
@@ -26,14 +26,13 @@ const std::string halved =
 TEST_F(Follow, OneMistakeCostsTheCriteriaOfItsOwnFunction) {
   const GradedExercise graded = grade(begin + mass + halved + above);
   EXPECT_EQ(lost(graded), ownCriteria);
-  EXPECT_EQ(score(graded), 5.0);
+  EXPECT_EQ(score(graded), 7.0);
   EXPECT_EQ(
       followedSentences(graded),
-      std::vector<std::string>{"one mistake, in springForceOnA, costs these 5 points; what you built on it is right."});
+      std::vector<std::string>{"one mistake, in springForceOnA, costs these 3 points; what you built on it is right."});
 }
 
 TEST_F(Follow, TheReferencesFunctionIsTheOneThatTheStudentsCalls) {
-  // With a made-up law of force the energy of the swing is another: only the right force keeps it.
   const GradedExercise graded = grade(begin + mass + halved + above);
   EXPECT_EQ(followed(graded, "Oscillator").front(), "springForceOnA");
   EXPECT_TRUE(graded.verdicts.at("Oscillator").passed());
@@ -80,7 +79,8 @@ TEST_F(Follow, WithoutAnArgumentAForceIsOfUseOnlyAsANamedMistake) {
   EXPECT_EQ(lost(grade(begin + mass + listed + above)), ownCriteria);
   const std::string unlisted =
       forceReturning("const double L = std::abs(xa - xb); return L == 0 ? 0 : -k * k * L * L * (xa - xb);");
-  EXPECT_EQ(lost(grade(begin + mass + unlisted + above)), everythingOfForces);
+  EXPECT_EQ(lost(grade(begin + mass + unlisted + above)),
+            "HookeForce CrossedNodes ThirdLaw HangingNode NodeBetween Oscillator");
 }
 
 TEST_F(Follow, OfTheRunsThatAskItNothingIsShown) {

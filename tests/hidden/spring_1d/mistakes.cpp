@@ -3,6 +3,7 @@
 #include "grader/testing/arguments.h"
 #include "grader/testing/mistakes.h"
 
+#include <algorithm>
 #include <limits>
 
 // A mistake in the spring's force shows in every function that uses it, so each is registered for all four of them.
@@ -37,8 +38,28 @@ double missingGuard(double xa, double xb, double k, double L0) {
 }
 
 double relativeDeformation(double xa, double xb, double k, double L0) {
-  return force(k, (std::abs(xa - xb) - L0) / L0, direction(xa, xb));
+  return xa == xb ? 0.0 : force(k, (std::abs(xa - xb) - L0) / L0, direction(xa, xb));
 }
+
+double rope(double xa, double xb, double k, double L0) {
+  return force(k, std::max(std::abs(xa - xb) - L0, 0.0), direction(xa, xb));
+}
+
+double deformationSquared(double xa, double xb, double k, double L0) {
+  return force(k, std::pow(std::abs(xa - xb) - L0, 2), direction(xa, xb));
+}
+
+double lengthSquared(double xa, double xb, double k, double L0) {
+  return xa == xb ? 0.0 : oracle::springForceOnA(xa, xb, k, L0) / std::abs(xa - xb);
+}
+
+/// The signed length, and the direction besides.
+double signedLengthTurned(double xa, double xb, double k, double L0) {
+  return force(k, xa - xb - L0, direction(xa, xb));
+}
+
+/// As if the node hung below its anchor always.
+double belowAlways(double xa, double xb, double k, double L0) { return force(k, xb - xa - L0, -1.0); }
 
 double alwaysAttracts(double xa, double xb, double k, double L0) {
   return force(k, std::abs(std::abs(xa - xb) - L0), direction(xa, xb));
@@ -82,6 +103,23 @@ SPRING_MISTAKE(missing_stiffness, missingStiffness);
 SPRING_MISTAKE(halved, halved);
 SPRING_MISTAKE(force_at_zero_length, forceAtZeroLength);
 SPRING_MISTAKE(energy_for_force, energyForForce);
+SPRING_MISTAKE(rope, rope);
+SPRING_MISTAKE(deformation_squared, deformationSquared);
+SPRING_MISTAKE(length_squared, lengthSquared);
+
+namespace variant {
+SPRING_MISTAKE(signed_length, signedLengthTurned);
+}
+namespace hanging {
+MUELLE_MISTAKE(hangingAcceleration, signed_length, [](double x, double m, const Attachment& top, double g) {
+  return belowAlways(x, top.x, top.k, top.L0) / m - g;
+});
+MUELLE_MISTAKE(accelerationBetween, signed_length,
+               [](double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+                 const double up = belowAlways(x, upper.x, upper.k, upper.L0);
+                 return (up + signedLength(x, lower.x, lower.k, lower.L0)) / m - g;
+               });
+}  // namespace hanging
 
 // Without the quotient (xa - xb) / L nothing is divided by 0; an author may treat L = 0 all the same.
 namespace guarded {
@@ -114,35 +152,70 @@ double forceWithThreshold(double threshold, double xa, double xb, double k, doub
   return std::abs(xa - xb) < threshold ? 0.0 : oracle::springForceOnA(xa, xb, k, L0);
 }
 
+/// Positions that agree in so many digits are taken for equal.
+double forceOfUnequal(double relative, double xa, double xb, double k, double L0) {
+  const double larger = std::max(std::abs(xa), std::abs(xb));
+  return std::abs(xa - xb) <= relative * larger ? 0.0 : oracle::springForceOnA(xa, xb, k, L0);
+}
+
+double forceBeyondPart(double part, double xa, double xb, double k, double L0) {
+  return std::abs(xa - xb) <= part * L0 ? 0.0 : oracle::springForceOnA(xa, xb, k, L0);
+}
+
 double forceSoftened(double small, double xa, double xb, double k, double L0) {
   const double L = std::abs(xa - xb);
   return force(k, L - L0, (xa - xb) / (L + small));
 }
 
-std::vector<ForceRegistration> registerGuards() {
-  std::vector<ForceRegistration> registrations;
-  const auto add = [&registrations](const char* id, auto forceOnA) {
-    registrations.emplace_back("springForceOnA", id, &oracle::springForceOnA, forceOnA);
-    registrations.emplace_back(
-        "springForceOnB", id, &oracle::springForceOnB,
-        [forceOnA](double xa, double xb, double k, double L0) { return -forceOnA(xa, xb, k, L0); });
-  };
-  for (const double small : smallNumbers) {
-    add("threshold",
-        [small](double xa, double xb, double k, double L0) { return forceWithThreshold(small, xa, xb, k, L0); });
-    add("softened_length",
-        [small](double xa, double xb, double k, double L0) { return forceSoftened(small, xa, xb, k, L0); });
-  }
-  return registrations;
+double forceOfRoot(double small, double xa, double xb, double k, double L0) {
+  const double L = std::hypot(xa - xb, small);
+  return force(k, L - L0, (xa - xb) / L);
 }
 
-[[maybe_unused]] const std::vector<ForceRegistration> guards = registerGuards();
+template <class Force>
+void addGuard(const char* id, Force forceOnA) {
+  const ForceRegistration onA("springForceOnA", id, &oracle::springForceOnA, forceOnA);
+  const ForceRegistration onB(
+      "springForceOnB", id, &oracle::springForceOnB,
+      [forceOnA](double xa, double xb, double k, double L0) { return -forceOnA(xa, xb, k, L0); });
+  using Hanging = muelle::grader::MistakeRegistration<decltype(::hangingAcceleration)>;
+  const Hanging hanging("hangingAcceleration", id, &oracle::hangingAcceleration,
+                        [forceOnA](double x, double m, const Attachment& top, double g) {
+                          return forceOnA(x, top.x, top.k, top.L0) / m - g;
+                        });
+  using Between = muelle::grader::MistakeRegistration<decltype(::accelerationBetween)>;
+  const Between between("accelerationBetween", id, &oracle::accelerationBetween,
+                        [forceOnA](double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+                          const double below = forceOnA(x, lower.x, lower.k, lower.L0);
+                          return (below + forceOnA(x, upper.x, upper.k, upper.L0)) / m - g;
+                        });
+}
+
+template <class Force>
+auto withNumber(Force forceOnA, double number) {
+  return [=](double xa, double xb, double k, double L0) { return forceOnA(number, xa, xb, k, L0); };
+}
+
+[[maybe_unused]] const bool guardsAreRegistered = [] {
+  for (const double small : smallNumbers) {
+    addGuard("threshold", withNumber(forceWithThreshold, small));
+    addGuard("threshold", withNumber(forceOfUnequal, small));
+    addGuard("threshold", withNumber(forceBeyondPart, small));
+    addGuard("softened_length", withNumber(forceSoftened, small));
+    addGuard("softened_length", withNumber(forceOfRoot, small));
+  }
+  return true;
+}();
 
 double forceOf(double x, const Attachment& spring) { return oracle::springForceOnA(x, spring.x, spring.k, spring.L0); }
 
 }  // namespace
 
 MUELLE_MISTAKE(lumpedMass, shared_among_springs, [](double M, int n) { return M / (n - 1); });
+namespace one_alone {
+MUELLE_MISTAKE(lumpedMass, shared_among_springs, [](double M, int n) { return n <= 1 ? M : M / (n - 1); });
+}
+MUELLE_MISTAKE(lumpedMass, integer_division, [](double M, int n) { return M * (1 / n); });
 MUELLE_MISTAKE(lumpedMass, mass_not_shared, [](double M, int) { return M; });
 MUELLE_MISTAKE(lumpedMass, mass_multiplied, [](double M, int n) { return M * n; });
 
@@ -163,6 +236,7 @@ double weightWithoutMass(double force, double m, double g) { return (force - g) 
 double weightTwiceMass(double force, double m, double g) { return force / m - m * g; }
 double missingMass(double force, double m, double g) { return force - m * g; }
 double onlyGravityIsAcceleration(double force, double, double g) { return force - g; }
+double forceTimesMass(double force, double m, double g) { return force * m - g; }
 double multipliedByMass(double force, double m, double g) { return (force - m * g) * m; }
 
 }  // namespace
@@ -174,6 +248,9 @@ NODE_MISTAKE(weight_not_divided, weightTwiceMass);
 NODE_MISTAKE(missing_mass, missingMass);
 NODE_MISTAKE(force_not_divided, onlyGravityIsAcceleration);
 NODE_MISTAKE(multiplied_by_mass, multipliedByMass);
+namespace of_force {
+NODE_MISTAKE(multiplied_by_mass, forceTimesMass);
+}
 
 MUELLE_MISTAKE(accelerationBetween, upper_spring_only,
                [](double x, double m, const Attachment&, const Attachment& upper, double g) {

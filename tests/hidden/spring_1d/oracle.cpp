@@ -18,8 +18,10 @@ double hangingAcceleration(double x, double m, const Attachment& top, double g) 
   return (given::springForceOnA(x, top.x, top.k, top.L0) - m * g) / m;
 }
 
+// Not by given::hangingAcceleration: who writes the weight anew has its mistakes anew.
 double accelerationBetween(double x, double m, const Attachment& lower, const Attachment& upper, double g) {
-  return given::hangingAcceleration(x, m, upper, g) + given::springForceOnA(x, lower.x, lower.k, lower.L0) / m;
+  const double below = given::springForceOnA(x, lower.x, lower.k, lower.L0);
+  return (below + given::springForceOnA(x, upper.x, upper.k, upper.L0)) / m - g;
 }
 
 }  // namespace oracle

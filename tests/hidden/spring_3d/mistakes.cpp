@@ -3,6 +3,7 @@
 #include "grader/testing/arguments.h"
 #include "grader/testing/mistakes.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace {
@@ -19,6 +20,11 @@ MUELLE_COMMON_MISTAKE(springForceMagnitude, wrong_sign);
 MUELLE_MISTAKE(springForceMagnitude, unsigned_deformation, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
   return std::abs(oracle::springForceMagnitude(xa, xb, k, L0));
 });
+namespace both_squared {
+MUELLE_MISTAKE(springForceMagnitude, squared_length, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
+  return -k * ((xa - xb).squaredNorm() - L0 * L0);
+});
+}
 namespace attracting {
 MUELLE_MISTAKE(springForceMagnitude, unsigned_deformation, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
   return -std::abs(oracle::springForceMagnitude(xa, xb, k, L0));
@@ -36,6 +42,12 @@ MUELLE_COMMON_MISTAKE(springForceMagnitude, halved);
 MUELLE_MISTAKE(springForceMagnitude, missing_stiffness, [](const Vec3& xa, const Vec3& xb, double, double L0) {
   return oracle::springForceMagnitude(xa, xb, 1.0, L0);
 });
+MUELLE_MISTAKE(springForceMagnitude, rope, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
+  return -k * std::max(lengthOf(xa, xb) - L0, 0.0);
+});
+MUELLE_MISTAKE(springForceMagnitude, single_precision, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
+  return -k * (static_cast<double>(static_cast<float>(lengthOf(xa, xb))) - L0);
+});
 MUELLE_MISTAKE(springForceMagnitude, energy_for_force, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
   return k * std::pow(lengthOf(xa, xb) - L0, 2) / 2;
 });
@@ -49,6 +61,21 @@ MUELLE_MISTAKE(springDirection, squared_length, [](const Vec3& xa, const Vec3& x
 });
 MUELLE_MISTAKE(springDirection, missing_guard, [](const Vec3& xa, const Vec3& xb) {
   return xa == xb ? Vec3(notANumber, notANumber, notANumber) : oracle::springDirection(xa, xb);
+});
+MUELLE_MISTAKE(springDirection, single_precision, [](const Vec3& xa, const Vec3& xb) {
+  const float L = static_cast<float>(lengthOf(xa, xb));
+  return L == 0 ? Vec3(0, 0, 0) : Vec3((xa - xb) / static_cast<double>(L));
+});
+namespace all_single {
+MUELLE_MISTAKE(springDirection, single_precision, [](const Vec3& xa, const Vec3& xb) {
+  const Eigen::Vector3f r = (xa - xb).cast<float>();
+  const float L = r.norm();
+  return L == 0 ? Vec3(0, 0, 0) : Vec3((r / L).cast<double>());
+});
+}
+MUELLE_MISTAKE(springDirection, other_end_left_out, [](const Vec3& xa, const Vec3& xb) {
+  const double distance = xa.norm();
+  return xa == xb || distance == 0 ? Vec3(0, 0, 0) : Vec3(xa / distance);
 });
 
 // The force on a, and the acceleration of a node whose springs have that force.
@@ -87,6 +114,10 @@ Vec3 alwaysAttracts(const Vec3& xa, const Vec3& xb, double k, double L0) {
 
 Vec3 alwaysRepels(const Vec3& xa, const Vec3& xb, double k, double L0) {
   return std::abs(oracle::springForceMagnitude(xa, xb, k, L0)) * oracle::springDirection(xa, xb);
+}
+
+Vec3 rope(const Vec3& xa, const Vec3& xb, double k, double L0) {
+  return -k * std::max(lengthOf(xa, xb) - L0, 0.0) * oracle::springDirection(xa, xb);
 }
 
 Vec3 relativeDeformation(const Vec3& xa, const Vec3& xb, double k, double L0) {
@@ -130,6 +161,7 @@ SPRING_MISTAKE(unsigned_deformation, alwaysRepels);
 namespace attracting {
 SPRING_MISTAKE(unsigned_deformation, alwaysAttracts);
 }
+SPRING_MISTAKE(rope, rope);
 SPRING_MISTAKE(relative_deformation, relativeDeformation);
 SPRING_MISTAKE(missing_stiffness, missingStiffness);
 SPRING_MISTAKE(halved, halved);
@@ -167,6 +199,16 @@ void addDirection(const char* id, Direction direction) {
   for (const double small : smallNumbers) {
     addDirection("threshold", [small](const Vec3& xa, const Vec3& xb) {
       return lengthOf(xa, xb) < small ? Vec3(0, 0, 0) : oracle::springDirection(xa, xb);
+    });
+    addDirection("threshold", [small](const Vec3& xa, const Vec3& xb) {
+      const bool taken = lengthOf(xa, xb) <= small * std::min(xa.norm(), xb.norm());
+      return taken ? Vec3(0, 0, 0) : oracle::springDirection(xa, xb);
+    });
+    addDirection("softened_length", [small](const Vec3& xa, const Vec3& xb) {
+      return Vec3((xa - xb) / std::hypot(lengthOf(xa, xb), small));
+    });
+    addDirection("softened_length", [small](const Vec3& xa, const Vec3& xb) {
+      return Vec3((xa - xb) / std::max(lengthOf(xa, xb), small));
     });
     addDirection("softened_length",
                  [small](const Vec3& xa, const Vec3& xb) { return Vec3((xa - xb) / (lengthOf(xa, xb) + small)); });

@@ -62,7 +62,7 @@ SpringCase randomSpring(Random& random, int i) {
 /// The ends of the contract's ranges and their corners; the last lie far from the origin, and on one axis.
 std::vector<SpringCase> corners() {
   const Vec3 a(0.37, -0.81, 0.56), b(-0.43, 0.62, 1.34);
-  const Vec3 far(1000, -1000, 1000), beside(1000 - 0.0078125, 0.015625 - 1000, 1000 - 0.0078125);
+  const Vec3 far(1000, -1000, 1000), there(731.4, -418.3, 893.7), beside(731.41, -418.29, 893.72);
   return {
       {a, b, 1e-3, 0},
       {b, a, 1e-3, 1000},
@@ -75,8 +75,8 @@ std::vector<SpringCase> corners() {
       {far, -far, 1e9, 0},
       {far, -far, 310, 1000},
       {-far, far, 7.3, 0.4},
-      {far, beside, 41, 0},
-      {beside, far, 41, 0.78},
+      {there, beside, 41, 0},
+      {beside, there, 41, 0.78},
       {Vec3(0.41, 0, 0), Vec3(0, 0, 0), 41, 0.78},
       {Vec3(0, 0, 0), Vec3(0, 0.93, 0), 41, 0.78},
       {Vec3(0.2, 0.3, -0.61), Vec3(0.2, 0.3, 0.29), 41, 0},

@@ -1,4 +1,4 @@
-// loses: CrossedNodes, HookeForce, ShortSpring, ZeroLength; misconception: always_attracts
+// loses: HookeForce, CrossedNodes; misconception: always_attracts
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

@@ -1,4 +1,4 @@
-// loses: ThirdLaw, ZeroLength, ShortSpring; misconception: none
+// loses: ThirdLaw, ZeroLength, ShortSpring; misconception: zero
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) {

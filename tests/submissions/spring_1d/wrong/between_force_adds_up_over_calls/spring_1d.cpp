@@ -1,4 +1,4 @@
-// loses: NodeBetween, ZeroLength, Oscillator; misconception: stateful
+// loses: NodeBetween, ZeroLength, ShortSpring, Oscillator; misconception: stateful
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) {

@@ -1,4 +1,4 @@
-// loses: ZeroLength, NodeBetween, Oscillator; misconception: none
+// loses: ZeroLength, ShortSpring, NodeBetween, Oscillator; misconception: zero
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

@@ -1,4 +1,4 @@
-// loses: NodeBetween, ZeroLength, Oscillator; misconception: never_written
+// loses: NodeBetween, ZeroLength, ShortSpring, Oscillator; misconception: none
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

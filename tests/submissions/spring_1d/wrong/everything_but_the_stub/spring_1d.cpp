@@ -1,4 +1,4 @@
-// loses: all; misconception: none
+// loses: all; misconception: zero
 // handed in without doing anything that returns
 #include "spring_1d.h"
 

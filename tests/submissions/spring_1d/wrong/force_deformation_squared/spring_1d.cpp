@@ -1,4 +1,4 @@
-// loses: HookeForce, CrossedNodes; misconception: squared
+// loses: HookeForce, CrossedNodes; misconception: deformation_squared
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

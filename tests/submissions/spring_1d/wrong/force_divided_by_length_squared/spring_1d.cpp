@@ -1,4 +1,4 @@
-// loses: HookeForce, CrossedNodes; misconception: squared
+// loses: HookeForce, CrossedNodes; misconception: length_squared
 // thought: r / L^2 is the unit vector
 #include "spring_1d.h"
 

@@ -1,4 +1,4 @@
-// loses: HookeForce, CrossedNodes; misconception: none
+// loses: HookeForce, CrossedNodes; misconception: argument_sign
 // thought: the spring reaches from L0 on, so the lengths add up
 #include "spring_1d.h"
 

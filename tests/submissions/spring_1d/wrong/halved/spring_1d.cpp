@@ -1,4 +1,4 @@
-// loses: CrossedNodes, HookeForce, ShortSpring, ZeroLength; misconception: halved
+// loses: HookeForce, CrossedNodes; misconception: halved
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

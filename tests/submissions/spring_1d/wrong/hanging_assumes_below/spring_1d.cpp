@@ -1,4 +1,4 @@
-// loses: HangingNode, ZeroLength; misconception: signed_length or missing_direction or one_sided
+// loses: HangingNode, ZeroLength, Oscillator; misconception: signed_length or missing_direction or one_sided
 // thought: a hanging node is below
 #include "spring_1d.h"
 

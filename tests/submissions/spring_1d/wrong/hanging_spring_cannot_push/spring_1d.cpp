@@ -1,4 +1,4 @@
-// loses: HangingNode; misconception: rope
+// loses: HangingNode, Oscillator; misconception: rope
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

@@ -1,4 +1,4 @@
-// loses: LumpedMass; misconception: mass_not_shared
+// loses: LumpedMass; misconception: none
 // thought: with up to two nodes there is one spring, no chain, so nothing to share
 #include "spring_1d.h"
 

@@ -1,4 +1,4 @@
-// loses: LumpedMass; misconception: stateful
+// loses: LumpedMass; misconception: stateful or constant
 // thought: compute it only once, for speed
 #include "spring_1d.h"
 

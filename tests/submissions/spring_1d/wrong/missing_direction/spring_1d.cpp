@@ -1,4 +1,4 @@
-// loses: CrossedNodes, ShortSpring, ZeroLength; misconception: missing_direction
+// loses: CrossedNodes, ZeroLength; misconception: missing_direction
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

@@ -1,4 +1,4 @@
-// loses: HangingNode, NodeBetween, Oscillator, ZeroLength; misconception: missing_mass
+// loses: HangingNode, NodeBetween, Oscillator; misconception: missing_mass
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

@@ -1,4 +1,4 @@
-// loses: CrossedNodes, HookeForce, ShortSpring, ZeroLength; misconception: not_normalised
+// loses: HookeForce, CrossedNodes; misconception: not_normalised
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

@@ -1,4 +1,4 @@
-// loses: NodeBetween, Oscillator, ZeroLength; misconception: same_constants_twice
+// loses: NodeBetween, Oscillator; misconception: same_constants_twice
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

@@ -1,4 +1,4 @@
-// loses: ShortSpring, ThirdLaw, ZeroLength; misconception: wrong_sign
+// loses: ThirdLaw; misconception: wrong_sign
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

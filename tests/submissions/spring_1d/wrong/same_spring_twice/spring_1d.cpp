@@ -1,4 +1,4 @@
-// loses: NodeBetween, Oscillator, ZeroLength; misconception: same_spring_twice
+// loses: NodeBetween, Oscillator; misconception: same_spring_twice
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

@@ -1,4 +1,4 @@
-// loses: CrossedNodes, ShortSpring, ZeroLength; misconception: signed_length
+// loses: CrossedNodes; misconception: signed_length
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

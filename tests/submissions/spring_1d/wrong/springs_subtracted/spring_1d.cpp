@@ -1,4 +1,4 @@
-// loses: NodeBetween, Oscillator, ZeroLength; misconception: springs_subtracted
+// loses: NodeBetween, Oscillator; misconception: springs_subtracted
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

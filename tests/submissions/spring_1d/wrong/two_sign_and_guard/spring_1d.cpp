@@ -1,4 +1,4 @@
-// loses: HookeForce, CrossedNodes, ZeroLength; misconception: wrong_sign or missing_guard
+// loses: HookeForce, CrossedNodes, ZeroLength; misconception: none
 // two mistakes
 #include "spring_1d.h"
 

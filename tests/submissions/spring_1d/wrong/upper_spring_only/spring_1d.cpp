@@ -1,4 +1,4 @@
-// loses: NodeBetween, Oscillator, ZeroLength; misconception: upper_spring_only
+// loses: NodeBetween, Oscillator; misconception: upper_spring_only
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

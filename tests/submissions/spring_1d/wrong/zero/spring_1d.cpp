@@ -1,4 +1,4 @@
-// loses: all; misconception: none
+// loses: all; misconception: zero
 #include "spring_1d.h"
 
 double lumpedMass(double, int) { return 0; }
