@@ -1,10 +1,14 @@
 #include "damping.h"
 
 #include "grader/testing/arguments.h"
-#include "grader/testing/mistakes.h"
+#include "grader/testing/several_mistakes.h"
+
+#include <Eigen/Geometry>
 
 using muelle::Random;
 using muelle::threeDigits;
+using muelle::grader::decades;
+using muelle::grader::registerEach;
 
 namespace {
 
@@ -21,23 +25,6 @@ Vec3 alongSpring(double rate, const Vec3& xa, const Vec3& xb, double d) {
 
 double rateOf(const Vec3& xa, const Vec3& xb, const Vec3& va, const Vec3& vb) {
   return (va - vb).dot((xa - xb).stableNormalized());
-}
-
-/// Registers the same mistake with each of some numbers, under one id.
-template <class Signature, class Mistake>
-bool registerEach(const char* function, const char* id, Signature* oracle, const std::vector<double>& numbers,
-                  const Mistake& mistake) {
-  for (const double number : numbers) {
-    muelle::grader::MistakeRegistration<Signature>(function, id, oracle, mistake(number));
-  }
-  return true;
-}
-
-/// Powers of ten: of two thresholds between the same lengths that are asked for, one is as good as the other.
-std::vector<double> decades(int first, int last) {
-  std::vector<double> powers;
-  for (int exponent = first; exponent >= last; --exponent) powers.push_back(std::pow(10.0, exponent));
-  return powers;
 }
 
 }  // namespace
@@ -125,7 +112,7 @@ MUELLE_MISTAKE(relativeDamping, relative_speeds, [](const Vec3& va, const Vec3& 
 });
 
 MUELLE_MISTAKE(projectedDamping, projected_axis_from_a,
-               [](const Vec3& xa, const Vec3& xb, const Vec3& va, const Vec3& vb, double d) {
+               [](const Vec3& xa, const Vec3&, const Vec3& va, const Vec3& vb, double d) {
                  return alongSpring(rateOf(xa, Vec3::Zero(), va, vb), xa, Vec3::Zero(), d);
                });
 MUELLE_MISTAKE(projectedDamping, projected_damped_twice,
