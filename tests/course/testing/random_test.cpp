@@ -28,6 +28,20 @@ TEST(Random, GivesTheSameNumbersOnEveryPlatform) {
   EXPECT_EQ(Random(1).number(0, 1), std::ldexp(static_cast<double>(one() >> 11), -53));
 }
 
+TEST(Random, DrawsNumbersThatCanBeRead) {
+  EXPECT_EQ(threeDigits(-0.0123456), -0.0123);
+  EXPECT_EQ(threeDigits(98765.0), 98800.0);
+  Random random(1);
+  for (int i = 0; i < 100; ++i) {
+    const double number = random.rounded(2.0, 3.0);
+    EXPECT_EQ(number, threeDigits(number));
+    const Vec3 direction = random.roundedDirection();
+    EXPECT_EQ(direction, threeDigits(direction));
+    EXPECT_NEAR(direction.norm(), 1.0, 4e-16);
+    EXPECT_GT(direction.cwiseAbs().minCoeff(), 0.2);
+  }
+}
+
 TEST(Random, DrawsRotations) {
   Random random(1);
   for (int i = 0; i < 100; ++i) {

@@ -64,6 +64,23 @@ std::vector<double> loads(const std::vector<double>& m, double g) {
   return onSprings;
 }
 
+/// Registers the same mistake with each of some numbers, under one id.
+template <class Signature, class Mistake>
+bool registerEach(const char* function, const char* id, Signature* oracle, const std::vector<double>& numbers,
+                  const Mistake& mistake) {
+  for (const double number : numbers) {
+    muelle::grader::MistakeRegistration<Signature>(function, id, oracle, mistake(number));
+  }
+  return true;
+}
+
+/// Powers of ten: of two thresholds between the same lengths that are asked for, one is as good as the other.
+std::vector<double> decades(int first, int last) {
+  std::vector<double> powers;
+  for (int exponent = first; exponent >= last; --exponent) powers.push_back(std::pow(10.0, exponent));
+  return powers;
+}
+
 }  // namespace
 
 MUELLE_COMMON_MISTAKE(planeContact, plane_wrong_sign);
@@ -171,14 +188,6 @@ MUELLE_MISTAKE(sphereContact, sphere_no_damping,
                [](const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double) {
                  return oracle::sphereContact(x, v, c, R, k, 0.0);
                });
-MUELLE_MISTAKE(sphereContact, sphere_threshold,
-               [](const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
-                 return sphereBeyond(1e-8, x, v, c, R, k, d);
-               });
-MUELLE_MISTAKE(sphereContact, sphere_small_threshold,
-               [](const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
-                 return sphereBeyond(1e-11, x, v, c, R, k, d);
-               });
 MUELLE_MISTAKE(sphereContact, sphere_divides_by_zero,
                [](const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
                  const Vec3 n = (x - c) / (x - c).norm();
@@ -251,6 +260,168 @@ MUELLE_MISTAKE(frictionForce, friction_divides_by_zero,
                  const Vec3 tangential = v - v.dot(n) * n;
                  return Vec3(-std::min(mu * N, c * tangential.norm()) * tangential / tangential.norm());
                });
+
+MUELLE_MISTAKE(planeContact, energy_for_force,
+               [](const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+                 Geometry at = ofPlane(x, v, p, n);
+                 at.depth *= std::abs(at.depth) / 2.0;
+                 return push(at, k, d);
+               });
+MUELLE_MISTAKE(planeContact, plane_depth_squared,
+               [](const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+                 Geometry at = ofPlane(x, v, p, n);
+                 at.depth *= std::abs(at.depth);
+                 return push(at, k, d);
+               });
+MUELLE_MISTAKE(planeContact, plane_both_sides,
+               [](const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+                 Geometry at = ofPlane(x, v, p, n);
+                 at.depth = std::abs(at.depth);
+                 return push(at, k, d);
+               });
+MUELLE_MISTAKE(planeContact, plane_absolute_speed,
+               [](const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+                 Geometry at = ofPlane(x, v, p, n);
+                 at.vn = -std::abs(at.vn);
+                 return push(at, k, d);
+               });
+MUELLE_MISTAKE(planeContact, plane_lets_go,
+               [](const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+                 const Geometry at = ofPlane(x, v, p, n);
+                 return at.vn > 0.0 ? Vec3(Vec3::Zero()) : push(at, k, d);
+               });
+MUELLE_MISTAKE(planeContact, plane_depth_along_z,
+               [](const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+                 Geometry at = ofPlane(x, v, p, n);
+                 at.depth = p.z() - x.z();
+                 return push(at, k, d);
+               });
+MUELLE_MISTAKE(planeContact, plane_positive_part,
+               [](const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+                 return Vec3(pushOrPull(ofPlane(x, v, p, n), k, d).cwiseMax(0.0));
+               });
+[[maybe_unused]] static const bool planeComponents =
+    registerEach("planeContact", "plane_component_missing", &oracle::planeContact, {0, 1, 2}, [](double component) {
+      return [i = static_cast<int>(component)](const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k,
+                                               double d) {
+        Geometry at = ofPlane(x, v, p, n);
+        at.depth += (x[i] - p[i]) * n[i];
+        return push(at, k, d);
+      };
+    });
+[[maybe_unused]] static const bool planeThresholds =
+    registerEach("planeContact", "plane_threshold", &oracle::planeContact, decades(-1, -29), [](double least) {
+      return [least](const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+        const Geometry at = ofPlane(x, v, p, n);
+        return at.depth < least ? Vec3(Vec3::Zero()) : push(at, k, d);
+      };
+    });
+/// The spring of a plane that is cut at the surface, and its damper that is not.
+[[maybe_unused]] static const bool planeDamperEverywhere =
+    registerEach("planeContact", "plane_damps_outside", &oracle::planeContact, {0}, [](double) {
+      return [](const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+        const Geometry at = ofPlane(x, v, p, n);
+        return Vec3((k * std::max(0.0, at.depth) - d * at.vn) * at.n);
+      };
+    });
+[[maybe_unused]] static const bool planeDamperNearby =
+    registerEach("planeContact", "plane_damps_outside", &oracle::planeContact, decades(-1, -15), [](double reach) {
+      return [reach](const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+        const Geometry at = ofPlane(x, v, p, n);
+        return at.depth < -reach ? Vec3(Vec3::Zero()) : Vec3(std::max(0.0, k * at.depth - d * at.vn) * at.n);
+      };
+    });
+
+MUELLE_MISTAKE(sphereContact, sphere_surface,
+               [](const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+                 const Geometry at = ofSphere(x, v, c, R);
+                 return at.depth < 0.0 ? Vec3(Vec3::Zero()) : Vec3(std::max(0.0, k * at.depth - d * at.vn) * at.n);
+               });
+MUELLE_MISTAKE(sphereContact, sphere_difference_of_squares,
+               [](const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+                 Geometry at = ofSphere(x, v, c, R);
+                 at.depth = R * R - (x - c).squaredNorm();
+                 return push(at, k, d);
+               });
+MUELLE_MISTAKE(sphereContact, sphere_divided_by_radius,
+               [](const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+                 return push({R - (x - c).norm(), (x - c) / R, v.dot(x - c) / R}, k, d);
+               });
+[[maybe_unused]] static const bool sphereComponents =
+    registerEach("sphereContact", "sphere_component_missing", &oracle::sphereContact, {0, 1, 2}, [](double component) {
+      return
+          [i = static_cast<int>(component)](const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+            Vec3 seen = x;
+            seen[i] = c[i];
+            return oracle::sphereContact(seen, v, c, R, k, d);
+          };
+    });
+[[maybe_unused]] static const bool sphereShallow =
+    registerEach("sphereContact", "sphere_shallow", &oracle::sphereContact, decades(-1, -13), [](double least) {
+      return [least](const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+        return R - (x - c).norm() < least ? Vec3(Vec3::Zero()) : oracle::sphereContact(x, v, c, R, k, d);
+      };
+    });
+[[maybe_unused]] static const bool sphereThresholds =
+    registerEach("sphereContact", "sphere_threshold", &oracle::sphereContact, decades(-1, -9), [](double nearest) {
+      return [nearest](const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+        return sphereBeyond(nearest, x, v, c, R, k, d);
+      };
+    });
+[[maybe_unused]] static const bool sphereSmallThresholds = registerEach(
+    "sphereContact", "sphere_small_threshold", &oracle::sphereContact, decades(-10, -99), [](double nearest) {
+      return [nearest](const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+        return sphereBeyond(nearest, x, v, c, R, k, d);
+      };
+    });
+[[maybe_unused]] static const bool sphereApproximately = registerEach(
+    "sphereContact", "sphere_small_threshold", &oracle::sphereContact, {1e-12, 1e-9}, [](double precision) {
+      return [precision](const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+        return x.isApprox(c, precision) ? Vec3(Vec3::Zero()) : oracle::sphereContact(x, v, c, R, k, d);
+      };
+    });
+[[maybe_unused]] static const bool sphereSoftened =
+    registerEach("sphereContact", "softened_length", &oracle::sphereContact, decades(-3, -20), [](double added) {
+      return [added](const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+        const double distance = (x - c).norm();
+        const Vec3 n = (x - c) / (distance + added);
+        return push({R - distance, n, v.dot(n)}, k, d);
+      };
+    });
+[[maybe_unused]] static const bool sphereSoftenedSquare =
+    registerEach("sphereContact", "softened_length", &oracle::sphereContact, decades(-6, -30), [](double added) {
+      return [added](const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+        const double distance = (x - c).norm();
+        const Vec3 n = (x - c) / std::sqrt(distance * distance + added);
+        return push({R - distance, n, v.dot(n)}, k, d);
+      };
+    });
+
+MUELLE_MISTAKE(columnAtRest, column_single_on_surface,
+               [](const std::vector<double>& m, double k, double L0, double kPlane, double g) {
+                 return m.size() == 1 ? std::vector<double>{0.0} : oracle::columnAtRest(m, k, L0, kPlane, g);
+               });
+MUELLE_MISTAKE(columnAtRest, column_top_forgotten,
+               [](const std::vector<double>& m, double k, double L0, double kPlane, double g) {
+                 std::vector<double> others = m;
+                 others.back() = 0.0;
+                 return oracle::columnAtRest(others, k, L0, kPlane, g);
+               });
+
+MUELLE_MISTAKE(frictionForce, friction_horizontal, [](const Vec3& v, const Vec3&, double N, double mu, double c) {
+  return oracle::frictionForce(v, Vec3::UnitZ(), N, mu, c);
+});
+MUELLE_MISTAKE(frictionForce, friction_not_normalised, [](const Vec3& v, const Vec3& n, double N, double mu, double c) {
+  const Vec3 tangential = v - v.dot(n) * n;
+  return Vec3(-std::min(mu * N, c * tangential.norm()) * tangential);
+});
+[[maybe_unused]] static const bool frictionThresholds =
+    registerEach("frictionForce", "friction_threshold", &oracle::frictionForce, decades(-1, -99), [](double slowest) {
+      return [slowest](const Vec3& v, const Vec3& n, double N, double mu, double c) {
+        const bool isSlow = (v - v.dot(n) * n).norm() < slowest;
+        return isSlow ? Vec3(Vec3::Zero()) : oracle::frictionForce(v, n, N, mu, c);
+      };
+    });
 
 // Nodes inside on their way in, where the damper counts too. Below the plane along each axis, so that a part of the sum
 // (x - p) . n tells the same.

@@ -2,9 +2,12 @@
 
 #include "course/testing/expect.h"
 #include "course/testing/random.h"
+#include "grader/testing/ladders.h"
+#include "grader/testing/motion.h"
+#include "grader/testing/of_use.h"
+#include "grader/testing/power_law.h"
 #include "harness/function_system.h"
 #include "harness/march.h"
-#include "harness/symplectic_euler.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -23,11 +26,25 @@ using muelle::Node;
 using muelle::node3;
 using muelle::Out;
 using muelle::Random;
-using muelle::roundOff;
 using muelle::State;
 using muelle::testRandom;
+using muelle::threeDigits;
 using muelle::Trajectory;
-using muelle::VecX;
+using muelle::grader::exactLengthLadder;
+using muelle::grader::expectPowerLaw;
+using muelle::grader::expectSameMotion;
+using muelle::grader::lengthLadder;
+
+/// Fifty times the round-off (1.1e-16 each) of the dozen operations that a force takes, relative to the numbers that
+/// go into it: far above every sensible order of summation, far below single precision.
+constexpr double rounding = 1e-13;
+
+/// Laws, edges and motions are about the structure of the forces and not about their digits: single precision and
+/// difference quotients keep them, laws that are broken are so by far more.
+constexpr double structure = 1e-4;
+
+/// Coefficients [N s/m], to both ends.
+constexpr double coefficients[] = {0.0, 3e-7, 0.37, 41.0, 1e6};
 
 /// Two nodes as a damper sees them, and its coefficient.
 struct Pair {
@@ -36,19 +53,32 @@ struct Pair {
 };
 
 Pair randomPair(Random& random) {
-  return {random.vector3(2.0), random.vector3(2.0), random.vector3(3.0), random.vector3(3.0),
-          random.positive(0.2, 20.0)};
+  return {threeDigits(random.vector3(2.0)), threeDigits(random.vector3(2.0)), threeDigits(random.vector3(3.0)),
+          threeDigits(random.vector3(3.0)), threeDigits(random.positive(0.2, 20.0))};
 }
 
-/// The largest force of such a pair, for tolerances: d (|va| + |vb|).
+/// The largest force of such a pair: d (|va| + |vb|).
 double forceScale(const Pair& pair) { return pair.d * (pair.va.norm() + pair.vb.norm()); }
 
+Vec3 relativeOnA(const Pair& p) { return submission::relativeDamping(p.va, p.vb, p.d); }
+Vec3 relativeOnB(const Pair& p) { return submission::relativeDamping(p.vb, p.va, p.d); }
 Vec3 projectedOnA(const Pair& p) { return submission::projectedDamping(p.xa, p.xb, p.va, p.vb, p.d); }
 Vec3 projectedOnB(const Pair& p) { return submission::projectedDamping(p.xb, p.xa, p.vb, p.va, p.d); }
-Vec3 oracleProjected(const Pair& p) { return oracle::projectedDamping(p.xa, p.xb, p.va, p.vb, p.d); }
 
-void expectProjected(const Pair& pair) {
-  EXPECT_VECTOR_NEAR(projectedOnA(pair), oracleProjected(pair), roundOff(forceScale(pair)));
+void expectNode(const Vec3& va, double d) {
+  EXPECT_VECTOR_NEAR(submission::nodeDamping(va, d), oracle::nodeDamping(va, d), rounding * d * va.norm());
+}
+
+void expectRelative(const Vec3& va, const Vec3& vb, double d) {
+  EXPECT_VECTOR_NEAR(submission::relativeDamping(va, vb, d), oracle::relativeDamping(va, vb, d),
+                     rounding * d * (va.norm() + vb.norm()));
+}
+
+void expectProjected(const Pair& p) {
+  // The unit vector is off by the round-off of xa - xb over its length.
+  const double ofDirection = 1.0 + (p.xa.norm() + p.xb.norm()) / (p.xa - p.xb).norm();
+  EXPECT_VECTOR_NEAR(submission::projectedDamping(p.xa, p.xb, p.va, p.vb, p.d),
+                     oracle::projectedDamping(p.xa, p.xb, p.va, p.vb, p.d), rounding * forceScale(p) * ofDirection);
 }
 
 // ---- Motion of a pair that a spring joins ----------------------------------------------------------------------
@@ -56,11 +86,20 @@ void expectProjected(const Pair& pair) {
 /// Force of a damper on the first of two nodes.
 using Damper = std::function<Vec3(const Vec3& xa, const Vec3& xb, const Vec3& va, const Vec3& vb)>;
 
+/// H07 is told of a spring of 1 m. Lengths and velocities here are so many times as large: no factor L hides.
+constexpr double scale = 1.6;
+
+/// The pair lies across all axes, away from the origin.
+const Vec3 along(0.36, 0.48, -0.8), ahead(0.48, 0.64, 0.6), centre(0.3, -0.7, 0.4);
+
+/// Two masses [kg] with H07's reduced mass 3/4 kg, in all its variants.
+constexpr double massA = 1.25, massB = 1.875, equalMass = 1.5;
+
 /// Two nodes, their spring and gravity along -z.
 struct Scene {
   std::vector<Node> nodes;
   double k = 252.0;
-  double L0 = 1.0;
+  double L0 = scale;
   double g = 0.0;
   double h = 4e-3;
   double duration = 5.0;
@@ -86,22 +125,11 @@ Trajectory run(const Scene& scene, const Damper& damper) {
   return muelle::march(system, muelle::stateOf(scene.nodes), options);
 }
 
-/// Every recorded position and velocity, as one vector.
-VecX states(const Trajectory& trajectory) {
-  std::vector<double> all;
-  for (std::size_t i = 0; i < trajectory.t.size(); ++i) {
-    all.insert(all.end(), trajectory.x[i].begin(), trajectory.x[i].end());
-    all.insert(all.end(), trajectory.v[i].begin(), trajectory.v[i].end());
-  }
-  return Eigen::Map<const VecX>(all.data(), static_cast<Eigen::Index>(all.size()));
-}
-
-/// Runs the scene with the student's damper and with the reference; both take the same steps, so that they agree to
-/// round-off (1e-9 m and m/s: some thousand steps of 1e-16, none of which the damped motion amplifies).
-Trajectory expectSameMotion(const Scene& scene, const Damper& student, const Damper& reference) {
+/// Runs the scene with the student's damper and with the reference; both take the same steps. 1e-6 of lengths and
+/// speeds of some metres: motions are asked for what a damper brakes.
+Trajectory compareMotions(const Scene& scene, const Damper& student, const Damper& reference) {
   const Trajectory trajectory = run(scene, student);
-  EXPECT_FALSE(trajectory.stop.stopped) << trajectory.stop.message;
-  EXPECT_VECTOR_NEAR(states(trajectory), states(run(scene, reference)), roundOff(1.0));
+  expectSameMotion(trajectory, run(scene, reference), 1e-6 * 5.0);
   return trajectory;
 }
 
@@ -131,13 +159,15 @@ Damper oracleProjected(double d) {
 
 double lengthOf(const State& state) { return (node3(In(state.x), 0) - node3(In(state.x), 1)).norm(); }
 
-double angularMomentumZ(const Scene& scene, const State& state) {
-  double Lz = 0.0;
+/// About the centre, around the axis of the rotation.
+double angularMomentum(const Scene& scene, const State& state) {
+  const Vec3 axis = along.cross(ahead);
+  double sum = 0.0;
   for (int i = 0; i < 2; ++i) {
-    const Vec3 x = node3(In(state.x), i), v = node3(In(state.v), i);
-    Lz += scene.nodes[static_cast<std::size_t>(i)].m * x.cross(v).z();
+    const Vec3 x = node3(In(state.x), i) - centre, v = node3(In(state.v), i);
+    sum += scene.nodes[static_cast<std::size_t>(i)].m * x.cross(v).dot(axis);
   }
-  return Lz;
+  return sum;
 }
 
 Vec3 meanVelocity(const Scene& scene, const State& state) {
@@ -145,43 +175,50 @@ Vec3 meanVelocity(const Scene& scene, const State& state) {
   return (ma * node3(In(state.v), 0) + mb * node3(In(state.v), 1)) / (ma + mb);
 }
 
-/// H07: a pair that turns at 4 rad/s about its centre of mass, at the length 1.05 m at which that is an equilibrium.
-Scene rotatingPair(double ma, double mb) {
-  const double ra = 1.05 * mb / (ma + mb), rb = -1.05 * ma / (ma + mb);
+/// A pair of the given length that turns at 4 rad/s about its centre of mass.
+Scene turningPair(double ma, double mb, double length) {
+  const double ra = length * mb / (ma + mb), rb = -length * ma / (ma + mb);
   Scene scene;
-  scene.nodes = {Node{{ra, 0, 0}, {0, 4.0 * ra, 0}, ma}, Node{{rb, 0, 0}, {0, 4.0 * rb, 0}, mb}};
-  // H07 turns with the reduced mass 3/4 kg in all its variants.
+  scene.nodes = {Node{centre + ra * along, 4.0 * ra * ahead, ma}, Node{centre + rb * along, 4.0 * rb * ahead, mb}};
   return scene;
 }
 
-/// H07's angular momentum at 5 s, with damping at the rate 0.4 / s.
-constexpr double SlowedAngularMomentum = 0.447621449305096478;
+/// H07: at the length 1.05 m at which the rotation is an equilibrium.
+Scene rotatingPair(double ma, double mb) { return turningPair(ma, mb, 1.05 * scale); }
 
-/// Angular momentum after damping at `rate`. The method's own law is exact: each step multiplies it by 1 - h rate. That
-/// differs from exp(-rate t) by the relative error rate^2 t h / 2 to leading order.
-void expectSlowedRotation(const Scene& scene, const Trajectory& trajectory, double rate) {
-  ASSERT_FALSE(trajectory.stop.stopped);
-  const State start = muelle::stateOf(scene.nodes), end = trajectory.last();
-  const double steps = std::round(scene.duration / scene.h);
-  const double slowed = angularMomentumZ(scene, start) * std::pow(1.0 - scene.h * rate, steps);
-  EXPECT_NUMBER_NEAR(angularMomentumZ(scene, end), slowed, roundOff(3.0));
+/// H07's angular momentum at the start, and at 5 s with damping at the rate 0.4 / s.
+constexpr double startAngularMomentum = 3.3075 * scale * scale;
+constexpr double slowedAngularMomentum = 0.447621449305096478 * scale * scale;
+
+/// Angular momentum after damping at the rate 0.4 / s. The method's own law is exact: each step multiplies it by
+/// 1 - h rate. That differs from exp(-rate t) by the relative error rate^2 t h / 2 to leading order.
+void expectSlowedRotation(const Scene& scene, const Trajectory& trajectory) {
+  if (trajectory.stop.stopped) return;
+  const double rate = 0.4;
   const double relativeError = 1.1 * rate * rate * scene.duration * scene.h / 2.0;
-  EXPECT_NUMBER_NEAR(angularMomentumZ(scene, end), SlowedAngularMomentum, relativeError * SlowedAngularMomentum);
+  MUELLE_LABEL(fmt::format("angular momentum at t = {:.4g} s", scene.duration), "kg m^2/s");
+  EXPECT_NUMBER_NEAR(angularMomentum(scene, trajectory.last()), slowedAngularMomentum,
+                     relativeError * slowedAngularMomentum);
 }
 
 /// How far the length may stray from the circle's. Symplectic Euler is leapfrog that takes the start velocity for the
 /// one half a step earlier: the pair gets the radial speed h a / 2 with a = 4^2 * 1.05, and so swings by that over the
 /// radial frequency omega_r^2 = k / mu + 3 * 4^2, mu = 3/4 kg.
 double lengthTolerance(const Scene& scene) {
-  const double acceleration = 16.0 * 1.05, radialFrequency = std::sqrt(scene.k / 0.75 + 48.0);
+  const double acceleration = 16.0 * 1.05 * scale, radialFrequency = std::sqrt(scene.k / 0.75 + 48.0);
   return 1.1 * scene.h * acceleration / (2.0 * radialFrequency);
 }
 
-/// A pair along a direction, stretched by 0.1 m and let go.
+void expectLength(const Scene& scene, const Trajectory& trajectory, double length, double tolerance) {
+  if (trajectory.stop.stopped) return;
+  MUELLE_LABEL(fmt::format("length of the spring at t = {:.4g} s", scene.duration), "m");
+  EXPECT_NUMBER_NEAR(lengthOf(trajectory.last()), length, tolerance);
+}
+
+/// A pair stretched by a tenth and let go.
 Scene vibratingPair(double ma, double mb) {
-  const Vec3 u = Vec3(1, 2, -2) / 3.0;
   Scene scene;
-  scene.nodes = {Node{1.1 * u, Vec3::Zero(), ma}, Node{Vec3::Zero(), Vec3::Zero(), mb}};
+  scene.nodes = {Node{centre + 1.1 * scale * along, Vec3::Zero(), ma}, Node{centre, Vec3::Zero(), mb}};
   scene.h = 1e-3;
   scene.duration = 1.0;
   return scene;
@@ -198,34 +235,33 @@ double dampedStretch(double stretch, double gamma, double omega0, double t) {
 /// h gamma; together at most stretch h (omega0 / 2 + omega0 / (2 e) + gamma / e) < stretch h omega0, as gamma < omega0
 /// / 3.
 void expectDampedVibration(const Scene& scene, const Trajectory& trajectory, double gamma) {
-  ASSERT_FALSE(trajectory.stop.stopped);
-  const double ma = scene.nodes[0].m, mb = scene.nodes[1].m;
+  if (trajectory.stop.stopped) return;
+  const double ma = scene.nodes[0].m, mb = scene.nodes[1].m, stretch = 0.1 * scale;
   const double omega0 = std::sqrt(scene.k * (ma + mb) / (ma * mb));
-  ASSERT_LT(gamma, omega0 / 3.0);
-  VecX lengths(static_cast<Eigen::Index>(trajectory.t.size())), exact(lengths.size());
   for (std::size_t i = 0; i < trajectory.t.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    lengths[row] = lengthOf(State{trajectory.t[i], trajectory.x[i], trajectory.v[i], {}});
-    exact[row] = scene.L0 + dampedStretch(0.1, gamma, omega0, trajectory.t[i]);
+    const double length = lengthOf(State{trajectory.t[i], trajectory.x[i], trajectory.v[i], {}});
+    MUELLE_LABEL(fmt::format("length of the spring at t = {:.4g} s", trajectory.t[i]), "m");
+    EXPECT_NUMBER_NEAR(length, scene.L0 + dampedStretch(stretch, gamma, omega0, trajectory.t[i]),
+                       stretch * scene.h * omega0);
   }
-  EXPECT_VECTOR_NEAR(lengths, exact, 0.1 * scene.h * omega0);
 }
 
 /// A pair that is thrown, turns and vibrates while it falls.
 Scene tumblingFall() {
   Scene scene;
-  scene.nodes = {Node{{0.9, 0.2, 3.0}, {0.3, 2.0, 1.0}, 1.0}, Node{{-0.3, 0.0, 3.1}, {-0.2, -1.0, 0.5}, 3.0}};
+  scene.nodes = {Node{{0.9, 0.2, 3.0}, {0.3, 2.1, 1.1}, massA}, Node{{-0.3, -0.1, 4.1}, {-0.2, -1.2, 0.6}, massB}};
   scene.g = 9.81;
   scene.h = 1e-3;
-  scene.duration = 0.5;
+  scene.duration = 0.55;
   return scene;
 }
 
 /// The centre of mass has the velocity of free fall (exact for the method too: gravity is constant).
 void expectFreeFall(const Scene& scene, const Trajectory& trajectory) {
-  ASSERT_FALSE(trajectory.stop.stopped);
+  if (trajectory.stop.stopped) return;
   const Vec3 fallen = meanVelocity(scene, muelle::stateOf(scene.nodes)) - scene.g * scene.duration * Vec3::UnitZ();
-  EXPECT_VECTOR_NEAR(meanVelocity(scene, trajectory.last()), fallen, roundOff(scene.g * scene.duration));
+  MUELLE_LABEL(fmt::format("velocity of the centre of mass at t = {:.4g} s", scene.duration), "m/s");
+  EXPECT_VECTOR_NEAR(meanVelocity(scene, trajectory.last()), fallen, 1e-6 * scene.g * scene.duration);
 }
 
 }  // namespace
@@ -235,19 +271,25 @@ void expectFreeFall(const Scene& scene, const Trajectory& trajectory) {
 TEST(NodeDamping, OpposesTheVelocity) {
   MUELLE_PROPERTY("the force on a node is against its velocity and d times as large");
   Random random = testRandom();
-  for (int i = 0; i < 6; ++i) {
-    const Vec3 va = random.vector3(5.0);
-    const double d = random.positive(0.2, 20.0);
-    EXPECT_VECTOR_NEAR(submission::nodeDamping(va, d), oracle::nodeDamping(va, d), roundOff(d * va.norm()));
-  }
+  for (int i = 0; i < 6; ++i) expectNode(threeDigits(random.vector3(5.0)), threeDigits(random.positive(0.2, 20.0)));
+}
+
+TEST(NodeDamping, AnySpeedAndCoefficient) {
+  MUELLE_PROPERTY("slow or fast, damped little or much: the force is d times the velocity");
+  Random random = testRandom();
+  for (const double d : coefficients) expectNode(threeDigits(random.vector3(5.0)), d);
+  for (const double speed : lengthLadder(1e-100)) expectNode(speed * random.roundedDirection(), 7.3);
+  for (const double speed : {3.1, 47.0, 730.0, 2.9e5}) expectNode(speed * random.roundedDirection(), 7.3);
 }
 
 TEST(NodeDamping, IsZeroAtRestAndWithoutDamping) {
   MUELLE_PROPERTY("a node at rest is not damped, and d = 0 damps nothing");
   Random random = testRandom();
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_VECTOR_NEAR(submission::nodeDamping(Vec3::Zero(), random.positive(0.2, 20.0)), Vec3::Zero(), 0.0);
-    EXPECT_VECTOR_NEAR(submission::nodeDamping(random.vector3(5.0), 0.0), Vec3::Zero(), 0.0);
+  for (int i = 0; i < 2; ++i) {
+    const double d = threeDigits(random.positive(0.2, 20.0));
+    EXPECT_VECTOR_NEAR(submission::nodeDamping(Vec3::Zero(), d), Vec3::Zero(), 0.0);
+    EXPECT_VECTOR_NEAR(submission::nodeDamping(threeDigits(random.vector3(5.0)), 0.0), Vec3::Zero(), 0.0);
+    EXPECT_VECTOR_NEAR(submission::nodeDamping(Vec3::Zero(), 0.0), Vec3::Zero(), 0.0);
   }
 }
 
@@ -256,20 +298,44 @@ TEST(RelativeDamping, OpposesTheRelativeVelocity) {
   Random random = testRandom();
   for (int i = 0; i < 6; ++i) {
     const Pair p = randomPair(random);
-    EXPECT_VECTOR_NEAR(submission::relativeDamping(p.va, p.vb, p.d), oracle::relativeDamping(p.va, p.vb, p.d),
-                       roundOff(forceScale(p)));
+    expectRelative(p.va, p.vb, p.d);
+  }
+}
+
+TEST(RelativeDamping, AnySpeedAndCoefficient) {
+  MUELLE_PROPERTY("slow or fast, damped little or much: the force is d times the difference of the velocities");
+  Random random = testRandom();
+  for (const double d : coefficients) {
+    const Pair p = randomPair(random);
+    expectRelative(p.va, p.vb, d);
+  }
+  for (const double speed : lengthLadder(1e-100)) {
+    expectRelative(speed * random.roundedDirection(), -0.7 * speed * random.roundedDirection(), 7.3);
+  }
+  for (const double speed : {47.0, 730.0, 2.9e5}) {
+    expectRelative(speed * random.roundedDirection(), 0.7 * speed * random.roundedDirection(), 7.3);
+  }
+  // Nearly equal: the difference is exact.
+  const Vec3 vb(1, 1, 1);
+  for (const double difference : exactLengthLadder()) {
+    const Vec3 va = vb + difference * Vec3(1, -2, 2);
+    EXPECT_VECTOR_NEAR(submission::relativeDamping(va, vb, 7.3), oracle::relativeDamping(va, vb, 7.3),
+                       rounding * 7.3 * 3.0);
   }
 }
 
 TEST(RelativeDamping, DoesNotSeeACommonVelocity) {
-  MUELLE_PROPERTY("two nodes with the same velocity are not damped, and adding one velocity to both changes nothing");
+  MUELLE_PROPERTY(
+      "two nodes with the same velocity are not damped; two that are as fast, but in other directions, are");
   Random random = testRandom();
   for (int i = 0; i < 3; ++i) {
-    const Pair p = randomPair(random);
-    const Vec3 common = random.vector3(5.0);
-    EXPECT_VECTOR_NEAR(submission::relativeDamping(common, common, p.d), Vec3::Zero(), 0.0);
-    EXPECT_VECTOR_NEAR(submission::relativeDamping(p.va + common, p.vb + common, p.d),
-                       oracle::relativeDamping(p.va, p.vb, p.d), roundOff(forceScale(p) + p.d * common.norm()));
+    const Vec3 v = threeDigits(random.vector3(5.0));
+    const double d = threeDigits(random.positive(0.2, 20.0));
+    EXPECT_VECTOR_NEAR(submission::relativeDamping(v, v, d), Vec3::Zero(), 0.0);
+    expectRelative(v, -v, d);
+    expectRelative(v, Vec3(-v.x(), v.y(), v.z()), d);
+    expectRelative(v, Vec3::Zero(), d);
+    expectRelative(Vec3::Zero(), v, d);
   }
 }
 
@@ -279,84 +345,127 @@ TEST(ProjectedDamping, OpposesTheStretching) {
   for (int i = 0; i < 8; ++i) expectProjected(randomPair(random));
 }
 
-TEST(ProjectedDamping, HoldsForAnyLength) {
-  MUELLE_PROPERTY("the force depends on the direction of the spring, not on its length");
+TEST(ProjectedDamping, AnyLengthSpeedAndCoefficient) {
+  MUELLE_PROPERTY(
+      "long or short, slow or fast, damped little or much: the force is d times the rate, along the spring");
   Random random = testRandom();
-  for (const double L : {0.05, 1.0, 40.0}) {
+  for (const double L : {0.053, 0.94, 37.0, 730.0, 2.9e5}) {
     Pair pair = randomPair(random);
-    pair.xa = pair.xb + L * random.direction();
+    pair.xa = threeDigits(Vec3(pair.xb + L * random.roundedDirection()));
     expectProjected(pair);
   }
-  Pair unit = randomPair(random);
-  unit.xb = Vec3(1, 2, 3);
-  unit.xa = Vec3(1, 3, 3);  // a length of 1 without rounding
-  expectProjected(unit);
+  for (const double d : coefficients) {
+    Pair pair = randomPair(random);
+    pair.d = d;
+    expectProjected(pair);
+  }
+  for (const double speed : {1e-100, 3.1e-31, 3.1e-9, 1.7e-3, 730.0}) {
+    Pair pair = randomPair(random);
+    pair.va = speed * random.roundedDirection();
+    pair.vb = -0.7 * speed * random.roundedDirection();
+    expectProjected(pair);
+  }
 }
 
-TEST(ProjectedDamping, SeparatesStretchingFromTurning) {
-  MUELLE_PROPERTY("velocity along the spring is damped in full, velocity across the spring not at all");
+TEST(ProjectedDamping, IsZeroWithoutRelativeVelocity) {
+  MUELLE_PROPERTY("two nodes with the same velocity are not damped, and d = 0 damps nothing");
   Random random = testRandom();
   for (int i = 0; i < 3; ++i) {
     Pair pair = randomPair(random);
-    const Vec3 u = (pair.xa - pair.xb).normalized();
-    const double rate = random.number(-3.0, 3.0);
-    const Vec3 across = u.cross(random.vector3(3.0));
-    pair.va = pair.vb + rate * u + across;
-    EXPECT_VECTOR_NEAR(projectedOnA(pair), Vec3(-pair.d * rate * u), roundOff(forceScale(pair)));
-    pair.va = pair.vb + across;
-    EXPECT_VECTOR_NEAR(projectedOnA(pair), Vec3::Zero(), roundOff(forceScale(pair)));
+    pair.vb = pair.va;
+    const Vec3 together = projectedOnA(pair);
+    MUELLE_LABEL("force on a", "N");
+    EXPECT_VECTOR_NEAR(together, Vec3::Zero(), rounding * forceScale(pair));
+    pair.va.setZero();
+    pair.vb.setZero();
+    EXPECT_VECTOR_NEAR(projectedOnA(pair), Vec3::Zero(), 0.0);
   }
 }
 
+TEST(ShortSpring, FollowsFromAllArguments) {
+  MUELLE_PROPERTY("a short spring needs a damper: the force follows from all arguments");
+  MUELLE_EXPECT_OF_USE(projectedDamping);
+}
+
 TEST(ShortSpring, HasADirectionHoweverShort) {
-  MUELLE_PROPERTY("a spring of length 1e-9 m, or shorter, is damped like any other");
+  MUELLE_PROPERTY("however short a spring is, it is damped along its own line, as it is when it is longer");
   Random random = testRandom();
-  for (const double L : {2.5, 0.4, 1e-9, 1e-9, 1e-9, 1e-9, 3e-13, 3e-13, 3e-13, 3e-13}) {
+  for (int i = 0; i < 4; ++i) {
     Pair pair = randomPair(random);
-    pair.xa = L * random.direction();
-    pair.xb = Vec3::Zero();
-    expectProjected(pair);
+    const Vec3 n = random.roundedDirection();
+    pair.xb.setZero();
+    // Growing longer, and growing shorter.
+    const double rate = i % 2 == 0 ? 2.3 : -1.9;
+    pair.va = threeDigits(Vec3(pair.vb + rate * n + n.cross(random.vector3(1.0))));
+    expectPowerLaw(
+        lengthLadder(1e-100),
+        [&](double L) {
+          pair.xa = L * n;
+          return projectedOnA(pair);
+        },
+        "force at a length", structure);
+  }
+}
+
+TEST(ShortSpring, HasADirectionWhereverItIs) {
+  MUELLE_PROPERTY("a short spring far from the origin is damped like one at the origin");
+  Random random = testRandom();
+  for (int i = 0; i < 2; ++i) {
+    Pair pair = randomPair(random);
+    pair.xb = Vec3(1, 1, 1);
+    pair.va = threeDigits(Vec3(pair.vb + (i == 0 ? 0.7 : -0.9) * Vec3(1, -2, 2)));
+    // 1 m and a third or two of the length is exact. From 2e-4 m on, so that the direction of xa itself hardly turns.
+    std::vector<double> lengths = exactLengthLadder();
+    std::erase_if(lengths, [](double length) { return length > 1e-4; });
+    for (double& length : lengths) length *= 3.0;
+    expectPowerLaw(
+        lengths,
+        [&](double L) {
+          pair.xa = pair.xb + L / 3.0 * Vec3(1, -2, 2);
+          return projectedOnA(pair);
+        },
+        "force at a length", 1e-3);
   }
 }
 
 TEST(ShortSpring, HasNoDirectionAtLengthZero) {
   MUELLE_PROPERTY("with both nodes at one place the force is zero, and finite");
   Random random = testRandom();
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < 3; ++i) {
     Pair pair = randomPair(random);
     pair.xa = pair.xb;
+    MUELLE_LABEL("force on a", "N");
+    EXPECT_VECTOR_NEAR(projectedOnA(pair), Vec3::Zero(), 0.0);
+    pair.va = pair.vb;
+    EXPECT_VECTOR_NEAR(projectedOnA(pair), Vec3::Zero(), 0.0);
+    pair.d = 0.0;
+    EXPECT_VECTOR_NEAR(projectedOnA(pair), Vec3::Zero(), 0.0);
+    pair.xa.setZero();
+    pair.xb.setZero();
     EXPECT_VECTOR_NEAR(projectedOnA(pair), Vec3::Zero(), 0.0);
   }
 }
 
-// ---- Laws: always at inputs where the value is asked for too ----------------------------------------------------
+// ---- Laws ------------------------------------------------------------------------------------------------------
+
+TEST(PairLaws, FollowFromAllArguments) {
+  MUELLE_PROPERTY("a law needs a force: each damping of a spring follows from all arguments");
+  MUELLE_EXPECT_OF_USE(relativeDamping);
+  MUELLE_EXPECT_OF_USE(projectedDamping);
+}
 
 TEST(PairLaws, ActionIsReaction) {
   MUELLE_PROPERTY("exchanging the ends of the spring turns the force round: momentum is conserved");
   Random random = testRandom();
   for (int i = 0; i < 4; ++i) {
     const Pair p = randomPair(random);
-    const Vec3 relativeA = submission::relativeDamping(p.va, p.vb, p.d);
-    const Vec3 relativeB = submission::relativeDamping(p.vb, p.va, p.d);
-    EXPECT_VECTOR_NEAR(relativeA, oracle::relativeDamping(p.va, p.vb, p.d), roundOff(forceScale(p)));
-    EXPECT_VECTOR_NEAR(relativeB, Vec3(-relativeA), roundOff(forceScale(p)));
-    expectProjected(p);
-    EXPECT_VECTOR_NEAR(projectedOnB(p), Vec3(-oracleProjected(p)), roundOff(forceScale(p)));
-  }
-}
-
-TEST(PairLaws, DampingTakesEnergy) {
-  MUELLE_PROPERTY("the power of a spring's damping is never positive");
-  Random random = testRandom();
-  for (int i = 0; i < 4; ++i) {
-    const Pair p = randomPair(random);
-    const Vec3 relative = submission::relativeDamping(p.va, p.vb, p.d), projected = projectedOnA(p);
-    const Vec3 v = p.va - p.vb;
-    const double rate = v.dot((p.xa - p.xb).normalized());
-    EXPECT_LE(relative.dot(v), 0.0);
-    EXPECT_LE(projected.dot(v), roundOff(p.d * v.squaredNorm()));
-    EXPECT_NUMBER_NEAR(relative.dot(v), -p.d * v.squaredNorm(), roundOff(p.d * v.squaredNorm()));
-    EXPECT_NUMBER_NEAR(projected.dot(v), -p.d * rate * rate, roundOff(p.d * v.squaredNorm()));
+    const Vec3 relative = relativeOnA(p), projected = projectedOnA(p);
+    {
+      MUELLE_LABEL("sum of your relative damping of a and of b", "N");
+      EXPECT_VECTOR_NEAR(Vec3(relative + relativeOnB(p)), Vec3::Zero(), structure * forceScale(p));
+    }
+    MUELLE_LABEL("sum of your projected damping of a and of b", "N");
+    EXPECT_VECTOR_NEAR(Vec3(projected + projectedOnB(p)), Vec3::Zero(), structure * forceScale(p));
   }
 }
 
@@ -365,9 +474,9 @@ TEST(PairLaws, ProjectedDampingHasNoTorque) {
   Random random = testRandom();
   for (int i = 0; i < 4; ++i) {
     const Pair p = randomPair(random);
-    const Vec3 force = projectedOnA(p);
-    EXPECT_VECTOR_NEAR((p.xa - p.xb).cross(force).eval(), Vec3::Zero(), roundOff(forceScale(p) * (p.xa - p.xb).norm()));
-    EXPECT_VECTOR_NEAR(force, oracleProjected(p), roundOff(forceScale(p)));
+    const Vec3 r = p.xa - p.xb;
+    MUELLE_LABEL("torque about b", "N m");
+    EXPECT_VECTOR_NEAR(r.cross(projectedOnA(p)).eval(), Vec3::Zero(), structure * forceScale(p) * r.norm());
   }
 }
 
@@ -377,26 +486,26 @@ TEST(PairLaws, NoFrameIsSpecial) {
   for (int i = 0; i < 4; ++i) {
     const Pair p = randomPair(random);
     const muelle::Mat3 R = random.rotation();
-    const Vec3 shift = random.vector3(3.0), boost = random.vector3(3.0);
+    const Vec3 shift = threeDigits(random.vector3(3.0)), boost = threeDigits(random.vector3(3.0));
     const Pair moved{R * p.xa + shift, R * p.xb + shift, R * p.va + boost, R * p.vb + boost, p.d};
-    EXPECT_VECTOR_NEAR(submission::relativeDamping(moved.va, moved.vb, p.d),
-                       Vec3(R * oracle::relativeDamping(p.va, p.vb, p.d)), roundOff(forceScale(moved)));
-    EXPECT_VECTOR_NEAR(projectedOnA(moved), Vec3(R * oracleProjected(p)), roundOff(forceScale(moved)));
+    const Vec3 relative = R * relativeOnA(p), projected = R * projectedOnA(p);
+    MUELLE_LABEL("force on a after both nodes were turned, moved and sped up", "N");
+    EXPECT_VECTOR_NEAR(relativeOnA(moved), relative, structure * forceScale(moved));
+    EXPECT_VECTOR_NEAR(projectedOnA(moved), projected, structure * forceScale(moved));
   }
 }
 
 TEST(PairLaws, ARigidMotionIsNotDampedByProjection) {
-  MUELLE_PROPERTY(
-      "a pair that moves and turns as one body feels no projected damping, but feels that of the relative velocity");
+  MUELLE_PROPERTY("a pair that moves and turns as one body feels no projected damping");
   Random random = testRandom();
   for (int i = 0; i < 3; ++i) {
     Pair p = randomPair(random);
-    const Vec3 velocity = random.vector3(3.0), spin = random.vector3(3.0);
+    p.xa = threeDigits(Vec3(p.xb + 1.3 * random.roundedDirection()));
+    const Vec3 velocity = threeDigits(random.vector3(3.0)), spin = threeDigits(random.vector3(2.0));
     p.va = velocity + spin.cross(p.xa);
     p.vb = velocity + spin.cross(p.xb);
-    EXPECT_VECTOR_NEAR(projectedOnA(p), Vec3::Zero(), roundOff(forceScale(p)));
-    EXPECT_VECTOR_NEAR(submission::relativeDamping(p.va, p.vb, p.d), Vec3(-p.d * spin.cross(p.xa - p.xb)),
-                       roundOff(forceScale(p)));
+    MUELLE_LABEL("force on a", "N");
+    EXPECT_VECTOR_NEAR(projectedOnA(p), Vec3::Zero(), structure * forceScale(p));
   }
 }
 
@@ -404,13 +513,13 @@ TEST(PairLaws, ARigidMotionIsNotDampedByProjection) {
 
 TEST(NodeMotion, AFallEndsAtASteadySpeed) {
   MUELLE_PROPERTY("a falling node with damping ends at the speed m g / d");
-  const double m = 2.0, d = 5.0, rate = d / m;
+  const double m = 2.3, d = 5.4, rate = d / m;
   Scene scene;
-  scene.nodes = {Node{{0, 0, 1}, Vec3::Zero(), m}, Node{{1, 0, 1}, Vec3::Zero(), m}};  // at rest length
+  scene.nodes = {Node{centre, Vec3::Zero(), m}, Node{centre + scale * along, Vec3::Zero(), m}};  // at rest length
   scene.g = 9.81;
   scene.duration = 4.0;
-  const Trajectory trajectory = expectSameMotion(scene, studentNode(d), oracleNode(d));
-  ASSERT_FALSE(trajectory.stop.stopped);
+  const Trajectory trajectory = compareMotions(scene, studentNode(d), oracleNode(d));
+  if (trajectory.stop.stopped) return;
   // The method multiplies the distance to the final speed by 1 - h rate a step, where the exact solution has
   // exp(-h rate): the difference is at most rate h / (2 e) of the final speed, to leading order.
   const double finalSpeed = m * scene.g / d, tolerance = 1.1 * finalSpeed * rate * scene.h / (2.0 * std::numbers::e);
@@ -420,82 +529,82 @@ TEST(NodeMotion, AFallEndsAtASteadySpeed) {
     EXPECT_NUMBER_NEAR(trajectory.v[i][2], -speed, tolerance);
     EXPECT_NUMBER_NEAR(trajectory.v[i][5], -speed, tolerance);
   }
-  EXPECT_NUMBER_NEAR(trajectory.last().v[2], -finalSpeed, finalSpeed * std::exp(-rate * scene.duration));
 }
 
 TEST(NodeMotion, ARotationFades) {
   MUELLE_PROPERTY("node damping slows a rotation at the rate d / m");
-  const double m = 1.5, d = 0.6;
-  const Scene scene = rotatingPair(m, m);
-  const Trajectory trajectory = expectSameMotion(scene, studentNode(d), oracleNode(d));
-  expectSlowedRotation(scene, trajectory, d / m);
-  EXPECT_NUMBER_NEAR(lengthOf(trajectory.last()), 1.00054056875938777, lengthTolerance(scene));
+  const double d = 0.6;
+  const Scene scene = rotatingPair(equalMass, equalMass);
+  const Trajectory trajectory = compareMotions(scene, studentNode(d), oracleNode(d));
+  expectSlowedRotation(scene, trajectory);
+  expectLength(scene, trajectory, 1.00054056875938777 * scale, lengthTolerance(scene));
 }
 
 TEST(NodeMotion, AVibrationFades) {
   MUELLE_PROPERTY("node damping makes a vibration of two equal nodes decay at the rate d / (2 m)");
-  const double m = 1.5, d = 6.0;
-  const Scene scene = vibratingPair(m, m);
-  const Trajectory trajectory = expectSameMotion(scene, studentNode(d), oracleNode(d));
-  expectDampedVibration(scene, trajectory, d / (2.0 * m));
+  const double d = 5.7;
+  const Scene scene = vibratingPair(equalMass, equalMass);
+  expectDampedVibration(scene, compareMotions(scene, studentNode(d), oracleNode(d)), d / (2.0 * equalMass));
 }
 
 TEST(RelativeMotion, AFallIsNotBraked) {
   MUELLE_PROPERTY("damping by relative velocity leaves the fall of the centre of mass alone");
   const Scene scene = tumblingFall();
-  expectFreeFall(scene, expectSameMotion(scene, studentRelative(2.0), oracleRelative(2.0)));
+  expectFreeFall(scene, compareMotions(scene, studentRelative(2.3), oracleRelative(2.3)));
 }
 
 TEST(RelativeMotion, ARotationFades) {
   MUELLE_PROPERTY("damping by relative velocity slows a rotation at the rate d / mu, mu the reduced mass");
-  const double d = 0.3, mu = 0.75;
-  const Scene scene = rotatingPair(1.0, 3.0);
-  const Trajectory trajectory = expectSameMotion(scene, studentRelative(d), oracleRelative(d));
-  expectSlowedRotation(scene, trajectory, d / mu);
-  EXPECT_NUMBER_NEAR(lengthOf(trajectory.last()), 1.00054056875938777, lengthTolerance(scene));
+  const double d = 0.3;
+  const Scene scene = rotatingPair(massA, massB);
+  const Trajectory trajectory = compareMotions(scene, studentRelative(d), oracleRelative(d));
+  expectSlowedRotation(scene, trajectory);
+  expectLength(scene, trajectory, 1.00054056875938777 * scale, lengthTolerance(scene));
 }
 
 TEST(RelativeMotion, AVibrationFades) {
   MUELLE_PROPERTY("damping by relative velocity makes a vibration decay at the rate d / (2 mu), mu the reduced mass");
-  const double d = 3.0, mu = 0.75;
-  const Scene scene = vibratingPair(1.0, 3.0);
-  const Trajectory trajectory = expectSameMotion(scene, studentRelative(d), oracleRelative(d));
-  expectDampedVibration(scene, trajectory, d / (2.0 * mu));
+  const double d = 2.9, mu = 0.75;
+  const Scene scene = vibratingPair(massA, massB);
+  expectDampedVibration(scene, compareMotions(scene, studentRelative(d), oracleRelative(d)), d / (2.0 * mu));
 }
 
 TEST(ProjectedMotion, AFallIsNotBraked) {
   MUELLE_PROPERTY("projected damping leaves the fall of the centre of mass alone");
   const Scene scene = tumblingFall();
-  expectFreeFall(scene, expectSameMotion(scene, studentProjected(2.0), oracleProjected(2.0)));
+  expectFreeFall(scene, compareMotions(scene, studentProjected(2.3), oracleProjected(2.3)));
 }
 
 TEST(ProjectedMotion, ARotationGoesOn) {
   MUELLE_PROPERTY("projected damping does not slow a rotation");
-  const Scene scene = rotatingPair(1.0, 3.0);
-  const Trajectory trajectory = expectSameMotion(scene, studentProjected(0.3), oracleProjected(0.3));
-  ASSERT_FALSE(trajectory.stop.stopped);
-  EXPECT_NUMBER_NEAR(angularMomentumZ(scene, trajectory.last()), 3.3075, roundOff(3.3075));
-  EXPECT_NUMBER_NEAR(lengthOf(trajectory.last()), 1.05, lengthTolerance(scene));
+  const Scene scene = rotatingPair(massA, massB);
+  const Trajectory trajectory = compareMotions(scene, studentProjected(0.3), oracleProjected(0.3));
+  expectLength(scene, trajectory, 1.05 * scale, lengthTolerance(scene));
+  if (trajectory.stop.stopped) return;
+  MUELLE_LABEL(fmt::format("angular momentum at t = {:.4g} s", scene.duration), "kg m^2/s");
+  EXPECT_NUMBER_NEAR(angularMomentum(scene, trajectory.last()), startAngularMomentum, 1e-6 * startAngularMomentum);
 }
 
 TEST(ProjectedMotion, AVibrationFades) {
   MUELLE_PROPERTY("projected damping makes a vibration decay at the rate d / (2 mu), mu the reduced mass");
-  const double d = 3.0, mu = 0.75;
-  const Scene scene = vibratingPair(1.0, 3.0);
-  const Trajectory trajectory = expectSameMotion(scene, studentProjected(d), oracleProjected(d));
-  expectDampedVibration(scene, trajectory, d / (2.0 * mu));
+  const double d = 2.9, mu = 0.75;
+  const Scene scene = vibratingPair(massA, massB);
+  expectDampedVibration(scene, compareMotions(scene, studentProjected(d), oracleProjected(d)), d / (2.0 * mu));
 }
 
 TEST(ProjectedMotion, AVibrationFadesWhileTheRotationGoesOn) {
   MUELLE_PROPERTY("projected damping brings a rotating, vibrating pair to the circle of its angular momentum");
   const double d = 3.0;
-  Scene scene;  // H07 "vibrate"
-  scene.nodes = {Node{{0.9, 0, 0}, {0, 3.6, 0}, 1.0}, Node{{-0.3, 0, 0}, {0, -1.2, 0}, 3.0}};
-  const Trajectory trajectory = expectSameMotion(scene, studentProjected(d), oracleProjected(d));
-  ASSERT_FALSE(trajectory.stop.stopped);
-  EXPECT_NUMBER_NEAR(angularMomentumZ(scene, trajectory.last()), 4.32, roundOff(4.32));
+  const Scene scene = turningPair(massA, massB, 1.2 * scale);  // H07 "vibrate"
+  const Trajectory trajectory = compareMotions(scene, studentProjected(d), oracleProjected(d));
+  if (trajectory.stop.stopped) return;
+  {
+    const double kept = 4.32 * scale * scale;
+    MUELLE_LABEL(fmt::format("angular momentum at t = {:.4g} s", scene.duration), "kg m^2/s");
+    EXPECT_NUMBER_NEAR(angularMomentum(scene, trajectory.last()), kept, 1e-6 * kept);
+  }
   // The method's velocity, half a step late, has a radial part r omega^2 h / 2 on the circle (omega = 4.95 rad/s),
   // which the damper opposes: the length is off by d r omega^2 h / 2 over the radial stiffness k + 3 mu omega^2 = 307
   // N/m, that is 0.13 m/s times h. What is left of the vibration, 0.12 m exp(-10), is 5e-6 m.
-  EXPECT_NUMBER_NEAR(lengthOf(trajectory.last()), 1.07868002605827197, 0.14 * scene.h + 6e-6);
+  expectLength(scene, trajectory, 1.07868002605827197 * scale, (0.14 * scene.h + 6e-6) * scale);
 }

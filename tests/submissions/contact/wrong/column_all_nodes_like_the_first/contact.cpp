@@ -1,4 +1,4 @@
-// loses: ColumnAtRest; misconception: first_only or constant_argument
+// loses: ColumnAtRest; misconception: first_for_all or first_only or constant_argument
 #include "contact.h"
 
 Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {

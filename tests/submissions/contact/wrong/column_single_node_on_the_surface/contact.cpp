@@ -1,4 +1,4 @@
-// loses: ColumnAtRest; misconception: column_no_depth
+// loses: ColumnAtRest; misconception: column_single_on_surface
 // thought: one node has no springs, so nothing is deformed
 #include "contact.h"
 

@@ -1,4 +1,4 @@
-// loses: ColumnAtRest; misconception: last_skipped
+// loses: ColumnAtRest; misconception: column_top_forgotten
 #include "contact.h"
 
 Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {

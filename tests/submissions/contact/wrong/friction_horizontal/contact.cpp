@@ -1,4 +1,4 @@
-// loses: Friction, FrictionMotion; misconception: missing_component
+// loses: Friction, FrictionMotion; misconception: friction_horizontal
 // thought: the tangential velocity is v without its z
 #include "contact.h"
 

@@ -1,4 +1,4 @@
-// loses: Friction, FrictionMotion; misconception: none
+// loses: Friction, FrictionMotion; misconception: zero
 // optional, they said
 #include "contact.h"
 

@@ -1,4 +1,4 @@
-// loses: Friction, FrictionMotion; misconception: squared
+// loses: Friction, FrictionMotion; misconception: friction_not_normalised
 // thought: vt gives the direction
 #include "contact.h"
 

@@ -1,4 +1,4 @@
-// loses: PlaneNeverPulls; misconception: threshold or plane_damps_outside
+// loses: PlaneNeverPulls; misconception: plane_damps_outside
 // thought: a tolerance for rounding
 #include "contact.h"
 

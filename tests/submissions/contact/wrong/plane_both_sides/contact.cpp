@@ -1,4 +1,4 @@
-// loses: PlaneNeverPulls, Bounce; misconception: plane_everywhere or absolute_value
+// loses: PlaneNeverPulls, Bounce; misconception: plane_both_sides
 // thought: a distance is not negative
 #include "contact.h"
 

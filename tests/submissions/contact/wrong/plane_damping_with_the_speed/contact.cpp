@@ -1,4 +1,4 @@
-// loses: PlaneContact, PlaneNeverPulls, ContactLaws, Bounce; misconception: absolute_value
+// loses: PlaneContact, PlaneNeverPulls, ContactLaws, Bounce; misconception: plane_absolute_speed
 // thought: the damper helps to push
 #include "contact.h"
 

@@ -1,4 +1,4 @@
-// loses: PlaneContact, ContactLaws; misconception: plane_z_assumed
+// loses: PlaneContact, ContactLaws, Bounce; misconception: plane_depth_along_z
 // right for the ground; for other planes only the direction of the force is
 #include "contact.h"
 

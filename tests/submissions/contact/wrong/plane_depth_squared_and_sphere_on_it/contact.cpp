@@ -1,4 +1,4 @@
-// loses: PlaneContact, Bounce, ColumnAtRest; misconception: squared
+// loses: PlaneContact, Bounce; misconception: plane_depth_squared
 // the sphere is right by its plane
 #include "contact.h"
 

@@ -1,4 +1,4 @@
-// loses: PlaneContact, Bounce, ColumnAtRest; misconception: energy_for_force or squared
+// loses: PlaneContact, Bounce; misconception: energy_for_force
 #include "contact.h"
 
 Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {

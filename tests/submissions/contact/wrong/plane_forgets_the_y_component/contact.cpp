@@ -1,4 +1,4 @@
-// loses: PlaneContact, ContactLaws; misconception: missing_component
+// loses: PlaneContact, ContactLaws, Bounce; misconception: plane_component_missing
 #include "contact.h"
 
 Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {

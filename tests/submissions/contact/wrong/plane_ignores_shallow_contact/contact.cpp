@@ -1,4 +1,4 @@
-// loses: PlaneContact; misconception: threshold
+// loses: PlaneNeverPulls, Bounce; misconception: plane_threshold
 // thought: less than a tenth of a millimetre is no contact
 #include "contact.h"
 

@@ -1,4 +1,4 @@
-// loses: PlaneContact, Bounce, ColumnAtRest; misconception: swapped_arguments
+// loses: PlaneContact, ContactLaws, Bounce; misconception: swapped_arguments
 #include "contact.h"
 
 static Vec3 push(double depth, double vn, const Vec3& n, double d, double k) {

@@ -1,4 +1,4 @@
-// loses: PlaneContact, ContactLaws, Bounce; misconception: one_sided
+// loses: PlaneContact, ContactLaws, Bounce; misconception: plane_lets_go
 // thought: a node on its way out needs no push
 #include "contact.h"
 

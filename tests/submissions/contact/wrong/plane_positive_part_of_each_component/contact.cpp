@@ -1,4 +1,4 @@
-// loses: PlaneContact, ContactLaws; misconception: one_sided
+// loses: PlaneContact, ContactLaws, Bounce; misconception: plane_positive_part
 // thought: never pulls means no negative number
 #include "contact.h"
 

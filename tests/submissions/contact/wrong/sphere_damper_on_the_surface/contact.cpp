@@ -1,4 +1,4 @@
-// loses: SphereEdges; misconception: sphere_damps_outside
+// loses: SphereEdges; misconception: sphere_surface
 #include "contact.h"
 
 Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {

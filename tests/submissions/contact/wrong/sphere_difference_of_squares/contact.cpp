@@ -1,4 +1,4 @@
-// loses: SphereContact, Bounce; misconception: squared
+// loses: SphereContact, Bounce; misconception: sphere_difference_of_squares
 #include "contact.h"
 
 Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {

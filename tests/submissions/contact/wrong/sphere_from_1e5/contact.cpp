@@ -1,4 +1,4 @@
-// loses: SphereEdges, Bounce; misconception: threshold
+// loses: SphereEdges; misconception: sphere_shallow
 #include "contact.h"
 
 Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {

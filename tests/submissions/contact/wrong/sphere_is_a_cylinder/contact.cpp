@@ -1,4 +1,4 @@
-// loses: SphereContact, ContactLaws; misconception: missing_component
+// loses: SphereContact, ContactLaws, Bounce; misconception: sphere_component_missing
 // z is left out of the distance
 #include "contact.h"
 

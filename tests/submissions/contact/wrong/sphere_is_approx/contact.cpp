@@ -1,4 +1,4 @@
-// loses: SphereEdges; misconception: sphere_threshold or threshold or sphere_small_threshold
+// loses: SphereEdges; misconception: sphere_threshold or sphere_small_threshold
 // isApprox is relative: far from the origin it takes a whole neighbourhood for the centre
 #include "contact.h"
 

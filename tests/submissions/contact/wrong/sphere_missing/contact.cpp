@@ -1,4 +1,4 @@
-// loses: SphereContact, SphereEdges, ContactLaws, Bounce; misconception: none
+// loses: SphereContact, SphereEdges, ContactLaws, Bounce; misconception: zero
 #include "contact.h"
 
 Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {

@@ -1,4 +1,4 @@
-// loses: SphereContact, Bounce; misconception: sphere_not_normalised
+// loses: SphereContact, Bounce; misconception: sphere_divided_by_radius
 // thought: on the surface |x - c| is R
 #include "contact.h"
 

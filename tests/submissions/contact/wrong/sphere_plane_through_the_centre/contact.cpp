@@ -1,4 +1,4 @@
-// loses: SphereContact, SphereEdges, ContactLaws, Bounce; misconception: sphere_radius_forgotten
+// loses: SphereContact, SphereEdges, ContactLaws, Bounce; misconception: zero
 // the plane is put through c: no node is below it, the force is always zero
 #include "contact.h"
 

@@ -1,4 +1,4 @@
-// loses: SphereEdges; misconception: none
+// loses: SphereEdges; misconception: edge
 // thought: some way out is better than none
 #include "contact.h"
 

@@ -1,4 +1,4 @@
-// loses: all; misconception: none
+// loses: all; misconception: constant
 #include "damping.h"
 
 Vec3 nodeDamping(const Vec3&, double) { return {1, -2, 3}; }

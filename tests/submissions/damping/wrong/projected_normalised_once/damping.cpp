@@ -1,4 +1,4 @@
-// loses: ProjectedDamping, ShortSpring, PairLaws, ProjectedMotion; misconception: normalised_once
+// loses: ProjectedDamping, ProjectedMotion; misconception: normalised_once
 #include "damping.h"
 
 Vec3 nodeDamping(const Vec3& va, double d) { return -d * va; }

@@ -1,4 +1,4 @@
-// loses: ProjectedDamping, ShortSpring, PairLaws, ProjectedMotion; misconception: rejected
+// loses: ProjectedDamping, PairLaws, ProjectedMotion; misconception: rejected
 #include "damping.h"
 
 Vec3 nodeDamping(const Vec3& va, double d) { return -d * va; }

@@ -1,4 +1,4 @@
-// loses: ProjectedDamping, ShortSpring, PairLaws, ProjectedMotion; misconception: scalar_speed
+// loses: ProjectedDamping, PairLaws, ProjectedMotion; misconception: scalar_speed
 #include "damping.h"
 
 Vec3 nodeDamping(const Vec3& va, double d) { return -d * va; }

@@ -1,4 +1,4 @@
-// loses: ProjectedDamping, ShortSpring, PairLaws, ProjectedMotion; misconception: projected_wrong_sign
+// loses: ProjectedDamping, ProjectedMotion; misconception: projected_wrong_sign
 #include "damping.h"
 
 Vec3 nodeDamping(const Vec3& va, double d) { return -d * va; }

@@ -1,4 +1,4 @@
-// loses: RelativeDamping, PairLaws, RelativeMotion; misconception: relative_half
+// loses: RelativeDamping, RelativeMotion; misconception: relative_half
 #include "damping.h"
 
 Vec3 nodeDamping(const Vec3& va, double d) { return -d * va; }

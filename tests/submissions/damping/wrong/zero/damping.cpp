@@ -1,4 +1,4 @@
-// loses: all; misconception: none
+// loses: all; misconception: zero
 #include "damping.h"
 
 Vec3 nodeDamping(const Vec3&, double) { return Vec3::Zero(); }

@@ -1,0 +1,13 @@
+#include "damping.h"
+
+Vec3 nodeDamping(const Vec3& va, double d) { return -d * va; }
+
+Vec3 relativeDamping(const Vec3& va, const Vec3& vb, double d) { return d * (vb - va); }
+
+Vec3 projectedDamping(const Vec3& xa, const Vec3& xb, const Vec3& va, const Vec3& vb, double d) {
+  Vec3 u = xa - xb;
+  const double len = u.norm();
+  if (!(len > 0)) return Vec3::Zero();
+  u /= len;
+  return -d * u.dot(va - vb) * u;
+}

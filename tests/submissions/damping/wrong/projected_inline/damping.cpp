@@ -1,0 +1,16 @@
+// loses: ProjectedDamping, ShortSpring, PairLaws, ProjectedMotion; misconception: none
+// thought: inline because it is fast; nothing else in the file calls it
+#include "damping.h"
+
+// On the nodes
+Vec3 nodeDamping(const Vec3& va, double d) { return -(d * va); }
+
+// On the spring: the node's law, seen from b
+Vec3 relativeDamping(const Vec3& va, const Vec3& vb, double d) { return nodeDamping(va - vb, d); }
+
+inline Vec3 projectedDamping(const Vec3& xa, const Vec3& xb, const Vec3& va, const Vec3& vb, double d) {
+  const double length = (xa - xb).norm();
+  if (length == 0) return Vec3::Zero();
+  const Vec3 axis = (xa - xb) / length;
+  return relativeDamping(va, vb, d).dot(axis) * axis;
+}

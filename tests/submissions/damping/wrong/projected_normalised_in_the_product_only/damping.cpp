@@ -1,0 +1,19 @@
+// loses: ProjectedDamping, ProjectedMotion; misconception: normalised_once
+#include "damping.h"
+
+Vec3 nodeDamping(const Vec3& va, double d) {
+  return -d * va;
+}
+
+Vec3 relativeDamping(const Vec3& va, const Vec3& vb, double d) {
+  Vec3 v = va - vb;
+  return -d * v;
+}
+
+Vec3 projectedDamping(const Vec3& xa, const Vec3& xb, const Vec3& va, const Vec3& vb, double d) {
+  Vec3 r = xa - xb;
+  double L = r.norm();
+  if (L == 0) return Vec3::Zero();
+  double rate = (va - vb).dot(r) / L;
+  return -d * rate * r;
+}

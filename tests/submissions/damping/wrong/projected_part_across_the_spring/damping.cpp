@@ -1,0 +1,28 @@
+// loses: ProjectedDamping, PairLaws, ProjectedMotion; misconception: rejected
+#include "damping.h"
+
+namespace {
+/// Unit vector from b to a, or zero.
+Vec3 axisOf(const Vec3& a, const Vec3& b) {
+  const double length = std::hypot(a.x() - b.x(), a.y() - b.y(), a.z() - b.z());
+  return length > 0 ? Vec3((a - b) / length) : Vec3(0, 0, 0);
+}
+}  // namespace
+
+Vec3 nodeDamping(const Vec3& va, double d) {
+  Vec3 force = va;
+  force *= -d;
+  return force;
+}
+
+Vec3 relativeDamping(const Vec3& va, const Vec3& vb, double d) {
+  const Vec3 seenFromB = va - vb;
+  return -d * seenFromB;
+}
+
+Vec3 projectedDamping(const Vec3& xa, const Vec3& xb, const Vec3& va, const Vec3& vb, double d) {
+  const Vec3 u = axisOf(xa, xb);
+  if (u == Vec3::Zero()) return u;
+  const Vec3 v = va - vb;
+  return -d * (v - v.dot(u) * u);
+}

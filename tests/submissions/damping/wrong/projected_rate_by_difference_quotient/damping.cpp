@@ -1,0 +1,30 @@
+// loses: ProjectedDamping, ShortSpring; misconception: difference_quotient
+// thought: length a microsecond later minus length now
+#include "damping.h"
+
+namespace {
+/// Unit vector from b to a, or zero.
+Vec3 axisOf(const Vec3& a, const Vec3& b) {
+  const double length = std::hypot(a.x() - b.x(), a.y() - b.y(), a.z() - b.z());
+  return length > 0 ? Vec3((a - b) / length) : Vec3(0, 0, 0);
+}
+}  // namespace
+
+Vec3 nodeDamping(const Vec3& va, double d) {
+  Vec3 force = va;
+  force *= -d;
+  return force;
+}
+
+Vec3 relativeDamping(const Vec3& va, const Vec3& vb, double d) {
+  const Vec3 seenFromB = va - vb;
+  return -d * seenFromB;
+}
+
+Vec3 projectedDamping(const Vec3& xa, const Vec3& xb, const Vec3& va, const Vec3& vb, double d) {
+  const double dt = 1e-6;
+  const Vec3 r = xa - xb;
+  const Vec3 later = r + dt * (va - vb);
+  const double rate = (later.norm() - r.norm()) / dt;
+  return -d * rate * axisOf(xa, xb);
+}

@@ -1,0 +1,17 @@
+// loses: ShortSpring; misconception: projected_at_zero_length
+// thought: without a direction all of the velocity is damped
+#include "damping.h"
+
+// On the nodes
+Vec3 nodeDamping(const Vec3& va, double d) { return -(d * va); }
+
+// On the spring: the node's law, seen from b
+Vec3 relativeDamping(const Vec3& va, const Vec3& vb, double d) { return nodeDamping(va - vb, d); }
+
+Vec3 projectedDamping(const Vec3& xa, const Vec3& xb, const Vec3& va, const Vec3& vb, double d) {
+  const Vec3 all = relativeDamping(va, vb, d);
+  const double length = (xa - xb).norm();
+  if (length == 0) return all;
+  const Vec3 axis = (xa - xb) / length;
+  return all.dot(axis) * axis;
+}
