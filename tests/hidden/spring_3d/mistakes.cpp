@@ -48,6 +48,12 @@ MUELLE_MISTAKE(springForceMagnitude, rope, [](const Vec3& xa, const Vec3& xb, do
 MUELLE_MISTAKE(springForceMagnitude, single_precision, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
   return -k * (static_cast<double>(static_cast<float>(lengthOf(xa, xb))) - L0);
 });
+MUELLE_MISTAKE(springForceMagnitude, whole_numbers, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
+  return -k * (std::trunc(lengthOf(xa, xb)) - L0);
+});
+MUELLE_MISTAKE(springForceMagnitude, missing_component, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
+  return -k * ((xa - xb).head<2>().norm() - L0);
+});
 MUELLE_MISTAKE(springForceMagnitude, energy_for_force, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
   return k * std::pow(lengthOf(xa, xb) - L0, 2) / 2;
 });

@@ -1,4 +1,4 @@
-// loses: NodeBetween, ZeroLength, ShortSpring, Oscillator; misconception: none
+// loses: NodeBetween, Oscillator; misconception: none
 // adds to an uninitialised variable
 #include "spring_1d.h"
 

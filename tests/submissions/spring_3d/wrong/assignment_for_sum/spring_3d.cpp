@@ -1,4 +1,4 @@
-// loses: ElasticPendulum, NodeAcceleration, ZeroLength; misconception: last_spring_only
+// loses: NodeAcceleration, ElasticPendulum; misconception: last_spring_only
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {

@@ -1,4 +1,4 @@
-// loses: all; misconception: none
+// loses: all; misconception: constant
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3&, const Vec3&, double, double) { return -4.0; }

@@ -1,4 +1,4 @@
-// loses: Direction, ThirdLaw, Equivariance; misconception: absolute_value
+// loses: Direction; misconception: absolute_value
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {

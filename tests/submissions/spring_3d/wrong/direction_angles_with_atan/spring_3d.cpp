@@ -1,4 +1,4 @@
-// loses: Direction, ThirdLaw, Equivariance; misconception: one_sided
+// loses: Direction; misconception: none
 // thought: spherical coordinates
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: Direction, Equivariance; misconception: none
+// loses: Direction; misconception: none
 // thought: typing mistake, y twice
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: Direction; misconception: squared or squared_length
+// loses: Direction; misconception: squared_length
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {

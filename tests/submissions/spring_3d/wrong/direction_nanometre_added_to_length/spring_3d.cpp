@@ -1,4 +1,4 @@
-// loses: ShortSpring; misconception: softened_length
+// loses: Direction, ShortSpring; misconception: softened_length
 // thought: then no case is needed
 #include "spring_3d.h"
 

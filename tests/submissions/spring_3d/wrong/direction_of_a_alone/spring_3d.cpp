@@ -1,4 +1,4 @@
-// loses: Direction, ThirdLaw, Equivariance; misconception: ignored
+// loses: Direction; misconception: other_end_left_out
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {

@@ -1,4 +1,4 @@
-// loses: Direction, Equivariance; misconception: missing_component
+// loses: Direction; misconception: missing_component
 #include "spring_3d.h"
 
 namespace {

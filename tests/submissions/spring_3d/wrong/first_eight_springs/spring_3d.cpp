@@ -1,4 +1,4 @@
-// loses: NodeAcceleration, ZeroLength; misconception: none
+// loses: NodeAcceleration; misconception: none
 // a fixed array: springs after the eighth are ignored
 #include "spring_3d.h"
 

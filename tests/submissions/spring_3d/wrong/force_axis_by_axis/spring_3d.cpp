@@ -1,4 +1,4 @@
-// loses: HookeForce, Equivariance; misconception: each_axis_alone
+// loses: HookeForce, ThirdLaw, Equivariance; misconception: each_axis_alone
 #include "spring_3d.h"
 
 // Magnitud

@@ -1,4 +1,4 @@
-// loses: HookeForce, ThirdLaw, Equivariance, ZeroLength, ShortSpring; misconception: none
+// loses: HookeForce, ThirdLaw, Equivariance, ZeroLength, ShortSpring; misconception: zero
 // thought: only this one is missing; the acceleration has its own formula
 #include "spring_3d.h"
 

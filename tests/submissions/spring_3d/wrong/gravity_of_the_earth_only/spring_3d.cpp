@@ -1,4 +1,4 @@
-// loses: NodeAcceleration; misconception: constant_argument
+// loses: NodeAcceleration, ElasticPendulum; misconception: constant_argument
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {

@@ -1,4 +1,4 @@
-// loses: Magnitude, ThirdLaw, Equivariance; misconception: none
+// loses: Magnitude; misconception: none
 // thought: norm of the difference = difference of the norms
 #include "spring_3d.h"
 

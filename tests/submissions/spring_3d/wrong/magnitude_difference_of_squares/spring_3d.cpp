@@ -1,4 +1,4 @@
-// loses: Magnitude; misconception: squared_length or squared
+// loses: Magnitude; misconception: squared_length
 // thought: saves the root, both are squared
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: Magnitude, Equivariance; misconception: none
+// loses: Magnitude; misconception: none
 // thought: Infinity norm
 #include "spring_3d.h"
 

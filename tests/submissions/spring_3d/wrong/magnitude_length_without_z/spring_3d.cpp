@@ -1,4 +1,4 @@
-// loses: Magnitude, Equivariance; misconception: missing_component
+// loses: Magnitude; misconception: missing_component
 // thought: copied from the plane
 #include "spring_3d.h"
 

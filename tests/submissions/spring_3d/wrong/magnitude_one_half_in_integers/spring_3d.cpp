@@ -1,4 +1,4 @@
-// loses: Magnitude, HookeForce, ThirdLaw, Equivariance, ZeroLength, ShortSpring, NodeAcceleration, ElasticPendulum; misconception: integer_division
+// loses: Magnitude, HookeForce, ThirdLaw, Equivariance, ZeroLength, ShortSpring, NodeAcceleration, ElasticPendulum; misconception: zero or integer_division
 // thought: 1/2 from the energy
 #include "spring_3d.h"
 

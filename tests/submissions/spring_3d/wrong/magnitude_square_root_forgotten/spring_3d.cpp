@@ -1,4 +1,4 @@
-// loses: Magnitude; misconception: squared_length or squared
+// loses: Magnitude; misconception: squared_length
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {

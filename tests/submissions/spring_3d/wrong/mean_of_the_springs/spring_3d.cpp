@@ -1,4 +1,4 @@
-// loses: NodeAcceleration; misconception: averaged
+// loses: NodeAcceleration, ElasticPendulum; misconception: averaged
 #include "spring_3d.h"
 
 namespace {

@@ -1,4 +1,4 @@
-// loses: Direction, ElasticPendulum, Equivariance, HookeForce, NodeAcceleration, ShortSpring, ThirdLaw, ZeroLength; misconception: not_normalised
+// loses: Direction; misconception: not_normalised
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {

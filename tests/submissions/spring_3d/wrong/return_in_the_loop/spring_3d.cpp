@@ -1,4 +1,4 @@
-// loses: NodeAcceleration; misconception: first_spring_only or first_only
+// loses: NodeAcceleration, ElasticPendulum; misconception: first_spring_only or first_only
 #include "spring_3d.h"
 
 // Magnitud

@@ -1,4 +1,4 @@
-// loses: ElasticPendulum, NodeAcceleration, ZeroLength; misconception: wrong_sign
+// loses: NodeAcceleration, ElasticPendulum; misconception: wrong_sign
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {

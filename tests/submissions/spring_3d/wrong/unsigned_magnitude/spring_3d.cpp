@@ -1,4 +1,4 @@
-// loses: ElasticPendulum, Equivariance, HookeForce, Magnitude, NodeAcceleration, ShortSpring, ThirdLaw, ZeroLength; misconception: unsigned_deformation
+// loses: Magnitude; misconception: unsigned_deformation
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {

@@ -1,4 +1,4 @@
-// loses: all; misconception: none
+// loses: all; misconception: zero
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {
