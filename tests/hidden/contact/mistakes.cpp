@@ -1,10 +1,12 @@
 #include "contact.h"
 
 #include "grader/testing/arguments.h"
-#include "grader/testing/mistakes.h"
+#include "grader/testing/several_mistakes.h"
 
 using muelle::Random;
 using muelle::threeDigits;
+using muelle::grader::decades;
+using muelle::grader::registerEach;
 
 namespace {
 
@@ -62,23 +64,6 @@ std::vector<double> loads(const std::vector<double>& m, double g) {
   std::vector<double> onSprings;
   for (std::size_t i = 1; i < m.size(); ++i) onSprings.push_back(weight(m, i, m.size(), g));
   return onSprings;
-}
-
-/// Registers the same mistake with each of some numbers, under one id.
-template <class Signature, class Mistake>
-bool registerEach(const char* function, const char* id, Signature* oracle, const std::vector<double>& numbers,
-                  const Mistake& mistake) {
-  for (const double number : numbers) {
-    muelle::grader::MistakeRegistration<Signature>(function, id, oracle, mistake(number));
-  }
-  return true;
-}
-
-/// Powers of ten: of two thresholds between the same lengths that are asked for, one is as good as the other.
-std::vector<double> decades(int first, int last) {
-  std::vector<double> powers;
-  for (int exponent = first; exponent >= last; --exponent) powers.push_back(std::pow(10.0, exponent));
-  return powers;
 }
 
 }  // namespace
