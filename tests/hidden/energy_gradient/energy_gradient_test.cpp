@@ -97,6 +97,14 @@ Case anySpring(Random& random, int number) {
   return spring;
 }
 
+/// Hundreds of metres from the origin, where a length that is not one of the difference has lost its digits.
+Case farSpring(Random& random, int number) {
+  Case spring = anySpring(random, number);
+  const Vec3 shift = slantedVector(random, 500.0, 900.0);
+  spring.x = stacked(tidy(spring.xa() + shift), tidy(spring.xb() + shift));
+  return spring;
+}
+
 /// Differences along an axis, and in a plane of two of them.
 std::vector<Vec3> alignedDifferences() {
   return {{0.7, 0, 0},   {-1.3, 0, 0},   {0, 0.9, 0},   {0, -2.1, 0},   {0, 0, 1.7},   {0, 0, -0.6},
@@ -270,6 +278,7 @@ TEST(EnergyInSpace, IsHalfTheStiffnessTimesTheSquaredStretch) {
   MUELLE_PROPERTY("in 3D the energy is that of the stretch L - L0 with L = |xa - xb|");
   Random random = testRandom();
   for (int i = 0; i < 12; ++i) expectEnergy(anySpring(random, i));
+  for (int i = 0; i < 4; ++i) expectEnergy(farSpring(random, i));
   for (const Case& s : alignedSprings(random)) expectEnergy(s);
 }
 
@@ -304,6 +313,7 @@ TEST(LengthGradient, IsTheUnitVectorFromBToA) {
   MUELLE_PROPERTY("the gradient of L with respect to xa is the unit vector that points from b to a");
   Random random = testRandom();
   for (int i = 0; i < 12; ++i) expectDirection(anySpring(random, i));
+  for (int i = 0; i < 4; ++i) expectDirection(farSpring(random, i));
 }
 
 TEST(LengthGradient, IsThatAlongAxesToo) {
@@ -322,7 +332,7 @@ TEST(LengthGradient, DoesNotDependOnTheLength) {
 
 TEST(LengthGradient, IsOppositeForTheOtherNode) {
   MUELLE_PROPERTY("exchanging the nodes turns the gradient of the length round");
-  MUELLE_EXPECT_OF_USE(lengthGradient);
+  MUELLE_EXPECT_ANSWERS(lengthGradient);
   Random random = testRandom();
   for (int i = 0; i < 4; ++i) {
     const Case s = anySpring(random, i);
@@ -350,6 +360,7 @@ void expectBlock(Block block, const char* label, const Case& s) {
 void expectBlockEverywhere(Block block, const char* label) {
   Random random = testRandom();
   for (int i = 0; i < 12; ++i) expectBlock(block, label, anySpring(random, i));
+  for (int i = 0; i < 4; ++i) expectBlock(block, label, farSpring(random, i));
   for (const Case& s : alignedSprings(random)) expectBlock(block, label, s);
   for (const Case& s : springsOfTheWholeRange()) expectBlock(block, label, s);
   for (const Case& s : exactShortSprings(0.01, 0.0)) expectBlock(block, label, s);
@@ -360,19 +371,19 @@ void expectBlockEverywhere(Block block, const char* label) {
 
 TEST(EnergyGradient, HasTheDerivativeWithRespectToA) {
   MUELLE_PROPERTY("components 0 to 2 of the energy gradient are the derivatives with respect to xa");
-  MUELLE_EXPECT_OF_USE(energyGradient);
+  MUELLE_EXPECT_ANSWERS(energyGradient);
   expectBlockEverywhere(blockOfA, "derivative of the energy with respect to xa");
 }
 
 TEST(EnergyGradient, HasTheDerivativeWithRespectToB) {
   MUELLE_PROPERTY("components 3 to 5 of the energy gradient are the derivatives with respect to xb");
-  MUELLE_EXPECT_OF_USE(energyGradient);
+  MUELLE_EXPECT_ANSWERS(energyGradient);
   expectBlockEverywhere(blockOfB, "derivative of the energy with respect to xb");
 }
 
 TEST(EnergyGradient, TurnsWithTheSpring) {
   MUELLE_PROPERTY("moving the spring leaves its gradient alone, turning the spring turns the gradient");
-  MUELLE_EXPECT_OF_USE(energyGradient);
+  MUELLE_EXPECT_ANSWERS(energyGradient);
   Random random = testRandom();
   for (int i = 0; i < 6; ++i) {
     const Case s = anySpring(random, i);
@@ -393,8 +404,8 @@ TEST(EnergyGradient, TurnsWithTheSpring) {
 
 TEST(FiniteDifferences, OfTheEnergyAreTheGradient) {
   MUELLE_PROPERTY("each component of energyGradient is the slope of springEnergy when that component of x moves");
-  MUELLE_EXPECT_OF_USE(springEnergy);
-  MUELLE_EXPECT_OF_USE(energyGradient);
+  MUELLE_EXPECT_ANSWERS(springEnergy);
+  MUELLE_EXPECT_ANSWERS(energyGradient);
   Random random = testRandom();
   for (int i = 0; i < 9; ++i) {
     Case s = anySpring(random, i);
@@ -411,8 +422,8 @@ TEST(FiniteDifferences, OfTheEnergyAreTheGradient) {
 TEST(FiniteDifferences, ConvergeToTheGradientWithOrderTwo) {
   MUELLE_PROPERTY(
       "halving the step of the central difference of springEnergy divides its distance to energyGradient by four");
-  MUELLE_EXPECT_OF_USE(springEnergy);
-  MUELLE_EXPECT_OF_USE(energyGradient);
+  MUELLE_EXPECT_ANSWERS(springEnergy);
+  MUELLE_EXPECT_ANSWERS(energyGradient);
   Random random = testRandom();
   for (int i = 0; i < 4; ++i) {
     Case s = anySpring(random, i);
@@ -436,6 +447,7 @@ TEST(Forces, LeadDownhillInEnergy) {
   MUELLE_PROPERTY("the forces are minus the gradient of the energy, block by block");
   Random random = testRandom();
   for (int i = 0; i < 12; ++i) expectForces(anySpring(random, i));
+  for (int i = 0; i < 4; ++i) expectForces(farSpring(random, i));
   for (const Case& s : alignedSprings(random)) expectForces(s);
 }
 
@@ -478,7 +490,7 @@ namespace {
 using Answer = std::function<VecX(const Vec3& xa, const Vec3& xb)>;
 
 /// A stiffness for the edges: nothing about it is special.
-constexpr double someK = 73.0;
+constexpr double someK = 731.0;
 
 Answer askEnergy1d(double L0) {
   return [L0](const Vec3& xa, const Vec3& xb) -> VecX {
@@ -562,7 +574,7 @@ void expectNothingNewInShortSprings(const std::string& what, const std::function
                                     double least) {
   // With L0 = 0 the answers are powers of L; with the largest L0 they are those of L = 0, but for 2 L / L0 = 6e-4.
   expectNothingNewBesideTheOrigin(what + " with L0 = 0", answer(0.0), least, 1e-6);
-  expectNothingNewBesideTheOrigin(what + " with L0 = 1000 m", answer(longestRest), shortest, 1e-3);
+  expectNothingNewBesideTheOrigin(what + " with L0 = 1000 m", answer(longestRest), shortest, 3e-3);
   expectTheSameAwayFromTheOrigin(what + " with L0 = 0", answer(0.0));
   expectTheSameAwayFromTheOrigin(what + " with L0 = 1.7 m", answer(1.7));
 }
@@ -572,15 +584,17 @@ std::vector<Vec3> points() { return {Vec3::Zero(), Vec3(0.3, -0.7, 1.1), Vec3(-8
 
 /// The energy of coincident nodes is what that of short springs tends to.
 void expectEnergyOfFullCompression(const std::function<Answer(double L0)>& answer) {
-  for (const double L0 : {longestRest, 0.0}) {
-    const double at = answer(L0)(from * line(0), Vec3::Zero())[0];
-    const auto power = powerOf(std::abs(at), std::abs(answer(L0)(past * line(0), Vec3::Zero())[0]));
-    for (const Vec3& point : points()) {
-      const double got = answer(L0)(point, point)[0];
-      MUELLE_LABEL(fmt::format("energy at L = 0 with L0 = {:g} m, which that of short springs tends to", L0), "J");
-      const double expected = !power || *power < 0 ? got : *power > 0 ? 0 : at;  // at least a number
-      EXPECT_NUMBER_NEAR(got, expected, 1e-3 * std::abs(at));
+  for (const Vec3& point : points()) {
+    const double near = answer(longestRest)(point + from * line(0), point)[0];
+    {
+      MUELLE_LABEL("energy at L = 0 with L0 = 1000 m, expected about as at L = 0.3 m", "J");
+      EXPECT_NUMBER_NEAR(answer(longestRest)(point, point)[0], near, 3e-3 * std::abs(near));
     }
+    const double at = answer(0.0)(point + from * line(0), point)[0];
+    const auto power = powerOf(std::abs(at), std::abs(answer(0.0)(point + past * line(0), point)[0]));
+    const double got = answer(0.0)(point, point)[0];
+    MUELLE_LABEL("energy at L = 0 with L0 = 0", "J");
+    EXPECT_NUMBER_NEAR(got, power && *power > 0 ? 0 : got, inStructure(std::abs(at)));  // at least a number
   }
 }
 
@@ -596,33 +610,33 @@ void expectZeroWhereNodesCoincide(const Answer& answer, double scale) {
 
 TEST(CoincidentNodes, KeepTheirEnergyInOneDimension) {
   MUELLE_PROPERTY("in 1D, where both nodes coincide, the energy is that of a spring compressed by all of L0");
-  MUELLE_EXPECT_OF_USE(springEnergy1d);
+  MUELLE_EXPECT_ANSWERS(springEnergy1d);
   expectEnergyOfFullCompression(askEnergy1d);
 }
 
 TEST(CoincidentNodes, KeepTheirEnergy) {
   MUELLE_PROPERTY("where both nodes coincide the energy is that of a spring compressed by all of its rest length");
-  MUELLE_EXPECT_OF_USE(springEnergy);
+  MUELLE_EXPECT_ANSWERS(springEnergy);
   expectEnergyOfFullCompression(askEnergy);
 }
 
 TEST(CoincidentNodes, HaveNoDirection) {
   MUELLE_PROPERTY("where both nodes coincide the gradient of the length is zero, not NaN");
-  MUELLE_EXPECT_OF_USE(lengthGradient);
+  MUELLE_EXPECT_ANSWERS(lengthGradient);
   MUELLE_LABEL("gradient of L at L = 0");
   expectZeroWhereNodesCoincide(askDirection(), 1);
 }
 
 TEST(CoincidentNodes, HaveNoGradient) {
   MUELLE_PROPERTY("where both nodes coincide the gradient of the energy is zero, not NaN, whatever L0 is");
-  MUELLE_EXPECT_OF_USE(energyGradient);
+  MUELLE_EXPECT_ANSWERS(energyGradient);
   MUELLE_LABEL("gradient of the energy at L = 0", "N");
   for (const double L0 : {1.7, 0.0, longestRest}) expectZeroWhereNodesCoincide(askGradient(L0), someK * (L0 + 1));
 }
 
 TEST(CoincidentNodes, HaveNoForce) {
   MUELLE_PROPERTY("where both nodes coincide the forces are zero, not NaN, whatever L0 is");
-  MUELLE_EXPECT_OF_USE(springForces);
+  MUELLE_EXPECT_ANSWERS(springForces);
   MUELLE_LABEL("forces at L = 0", "N");
   for (const double L0 : {1.7, 0.0, longestRest}) expectZeroWhereNodesCoincide(askForces(L0), someK * (L0 + 1));
 }
@@ -630,20 +644,20 @@ TEST(CoincidentNodes, HaveNoForce) {
 TEST(TinyLengths, HaveAnEnergyInOneDimension) {
   MUELLE_PROPERTY(
       "in 1D the energy of shorter and shorter springs tends to k L0^2 / 2, without a jump, down to 1e-100 m");
-  MUELLE_EXPECT_OF_USE(springEnergy1d);
+  MUELLE_EXPECT_ANSWERS(springEnergy1d);
   expectNothingNewInShortSprings("energy in 1D", askEnergy1d, 1e-15);
 }
 
 TEST(TinyLengths, HaveAnEnergy) {
   MUELLE_PROPERTY("the energy of shorter and shorter springs tends to k L0^2 / 2, without a jump, down to 1e-100 m");
-  MUELLE_EXPECT_OF_USE(springEnergy);
+  MUELLE_EXPECT_ANSWERS(springEnergy);
   expectNothingNewInShortSprings("energy", askEnergy, 1e-15);
 }
 
 TEST(TinyLengths, HaveADirection) {
   MUELLE_PROPERTY(
       "the gradient of the length of a spring of any length above zero, down to 1e-100 m, is that of a long one");
-  MUELLE_EXPECT_OF_USE(lengthGradient);
+  MUELLE_EXPECT_ANSWERS(lengthGradient);
   expectNothingNewBesideTheOrigin("gradient of L", askDirection(), shortest, 1e-6);
   expectTheSameAwayFromTheOrigin("gradient of L", askDirection());
 }
@@ -651,13 +665,13 @@ TEST(TinyLengths, HaveADirection) {
 TEST(TinyLengths, HaveAGradient) {
   MUELLE_PROPERTY(
       "the gradient of the energy does not vanish when a spring with rest length is very short: 1e-9 m, 1e-100 m");
-  MUELLE_EXPECT_OF_USE(energyGradient);
+  MUELLE_EXPECT_ANSWERS(energyGradient);
   expectNothingNewInShortSprings("gradient of the energy", askGradient, 1e-30);
 }
 
 TEST(TinyLengths, HaveAForce) {
   MUELLE_PROPERTY("the forces do not vanish when a spring with rest length is very short: 1e-9 m, 1e-100 m");
-  MUELLE_EXPECT_OF_USE(springForces);
+  MUELLE_EXPECT_ANSWERS(springForces);
   expectNothingNewInShortSprings("forces", askForces, 1e-30);
 }
 
@@ -681,8 +695,8 @@ double work(const Case& s, const std::vector<Vec6>& path) {
 
 TEST(StretchAndRelease, StoresTheWorkAsEnergy) {
   MUELLE_PROPERTY("the work done against springForces to stretch a spring is what springEnergy gains");
-  MUELLE_EXPECT_OF_USE(springEnergy);
-  MUELLE_EXPECT_OF_USE(springForces);
+  MUELLE_EXPECT_ANSWERS(springEnergy);
+  MUELLE_EXPECT_ANSWERS(springForces);
   Random random = testRandom();
   for (int i = 0; i < 4; ++i) {
     const Case s = anySpring(random, i);
@@ -700,7 +714,7 @@ TEST(StretchAndRelease, StoresTheWorkAsEnergy) {
 
 TEST(StretchAndRelease, GivesTheEnergyBackOverACycle) {
   MUELLE_PROPERTY("over any closed path of the nodes the work of springForces is zero");
-  MUELLE_EXPECT_OF_USE(springForces);
+  MUELLE_EXPECT_ANSWERS(springForces);
   Random random = testRandom();
   for (int i = 0; i < 2; ++i) {
     const Case s = anySpring(random, i);
@@ -795,8 +809,8 @@ TEST(StretchAndRelease, SwingsLikeTheReference) {
 TEST(StretchAndRelease, KeepsTheEnergyWhileItSwings) {
   MUELLE_PROPERTY(
       "kinetic energy plus springEnergy of a free pair of nodes stays what it is, but for the method's ripple");
-  MUELLE_EXPECT_OF_USE(springEnergy);
-  MUELLE_EXPECT_OF_USE(springForces);
+  MUELLE_EXPECT_ANSWERS(springEnergy);
+  MUELLE_EXPECT_ANSWERS(springForces);
   const Swing swing = someSwing();
   const Trajectory run = swing.submitted();
   ASSERT_FALSE(run.stop.stopped) << run.stop.message;

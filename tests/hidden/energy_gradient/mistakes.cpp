@@ -40,6 +40,16 @@ MUELLE_MISTAKE(springEnergy1d, absolute_coordinates, [](const Vec2& x, double k,
 MUELLE_MISTAKE(springEnergy1d, one_node_only,
                [](const Vec2& x, double k, double L0) { return ofStretch(k, std::abs(x[0]) - L0); });
 
+namespace variants {
+MUELLE_MISTAKE(springEnergy1d, one_node_only, [](const Vec2& x, double k, double L0) {
+  return ofStretch(k, std::max(std::abs(x[0]), std::abs(x[1])) - L0);
+});
+MUELLE_MISTAKE(springEnergy1d, signed_length, [](const Vec2& x, double k, double L0) {
+  const bool isTurned = x[0] < x[1] && x[0] > 0;
+  return ofStretch(k, (isTurned ? x[1] - x[0] : x[0] - x[1]) - L0);
+});
+}  // namespace variants
+
 /// Mistakes that both energies may hold, as functions of L.
 #define ENERGY_MISTAKE(id, ofLength)                                                                         \
   MUELLE_MISTAKE(springEnergy1d, id,                                                                         \
@@ -196,6 +206,28 @@ constexpr double smallNumbers[] = {
     1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16, std::numeric_limits<double>::epsilon(),
     1e-17, 1e-18, 1e-20, 1e-30, 1e-40, 1e-50, 1e-60, 1e-80};
 
+/// What differences of L with a step h give: forward, or central.
+Vec3 quotient(const Vec3& d, double h, bool isCentral) {
+  Vec3 gradient;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 before = isCentral ? Vec3(d - h * Vec3::Unit(i)) : d;
+    gradient[i] = (lengthOf(d + h * Vec3::Unit(i)) - lengthOf(before)) / (isCentral ? 2 * h : h);
+  }
+  return gradient;
+}
+
+/// What central differences of the energy with a step h give.
+Vec6 energyQuotient(const Vec6& x, double k, double L0, double h) {
+  Vec6 gradient;
+  for (int i = 0; i < 6; ++i) {
+    Vec6 forward = x, backward = x;
+    forward[i] += h;
+    backward[i] -= h;
+    gradient[i] = (oracle::springEnergy(forward, k, L0) - oracle::springEnergy(backward, k, L0)) / (2 * h);
+  }
+  return gradient;
+}
+
 struct Guards {
   std::vector<DirectionRegistration> directions;
   std::vector<GradientRegistration> gradients;
@@ -229,6 +261,42 @@ struct Guards {
                           });
   }
 
+  void addQuotients(double h) {
+    for (const bool isCentral : {false, true}) {
+      directions.emplace_back(
+          "lengthGradient", "difference_quotient", &oracle::lengthGradient,
+          [h, isCentral](const Vec3& xa, const Vec3& xb) { return quotient(xa - xb, h, isCentral); });
+    }
+    gradients.emplace_back("energyGradient", "difference_quotient", &oracle::energyGradient,
+                           [h](const Vec6& x, double k, double L0) { return energyQuotient(x, k, L0, h); });
+    gradients.emplace_back("springForces", "difference_quotient", &oracle::springForces,
+                           [h](const Vec6& x, double k, double L0) { return Vec6(-energyQuotient(x, k, L0, h)); });
+  }
+
+  /// Nodes that are nearer than a part of their distance from the origin are taken for one, as isApprox does.
+  void addRelative(double part) {
+    const auto directionOf = [part](const Vec3& xa, const Vec3& xb) {
+      return xa.isApprox(xb, part) ? Vec3(Vec3::Zero()) : oracle::lengthGradient(xa, xb);
+    };
+    directions.emplace_back("lengthGradient", "threshold", &oracle::lengthGradient, directionOf);
+    const auto gradient = [directionOf](const Vec6& x, double k, double L0) {
+      return opposite(k * (length(x) - L0) * directionOf(x.head<3>(), x.tail<3>()));
+    };
+    gradients.emplace_back("energyGradient", "threshold", &oracle::energyGradient, gradient);
+    gradients.emplace_back("springForces", "threshold", &oracle::springForces,
+                           [gradient](const Vec6& x, double k, double L0) { return Vec6(-gradient(x, k, L0)); });
+  }
+
+  /// The stretch is cut off at some multiple of L0.
+  void addClamped(double multiple) {
+    const auto gradient = [multiple](const Vec6& x, double k, double L0) {
+      return opposite(k * std::min(length(x) - L0, multiple * L0) * unit(x));
+    };
+    gradients.emplace_back("energyGradient", "stretch_clamped", &oracle::energyGradient, gradient);
+    gradients.emplace_back("springForces", "stretch_clamped", &oracle::springForces,
+                           [gradient](const Vec6& x, double k, double L0) { return Vec6(-gradient(x, k, L0)); });
+  }
+
   void addSoftened(double small) {
     add("softened_length", [small](const Vec3& d) { return Vec3(d / (lengthOf(d) + small)); });
     add("softened_length", [small](const Vec3& d) { return Vec3(d / std::hypot(lengthOf(d), small)); });
@@ -241,6 +309,9 @@ Guards registerGuards() {
     guards.addThreshold(small);
     guards.addSoftened(small);
   }
+  for (const double h : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) guards.addQuotients(h);
+  for (const double part : {1e-12, 1e-10, 1e-9, 1e-8, 1e-6}) guards.addRelative(part);
+  for (const double multiple : {0.5, 1.0, 2.0}) guards.addClamped(multiple);
   return guards;
 }
 

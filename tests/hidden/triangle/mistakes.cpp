@@ -150,9 +150,8 @@ MUELLE_MISTAKE(triangleEnergy, first_only,
 
 MUELLE_COMMON_MISTAKE(triangleForce, wrong_sign);
 MUELLE_COMMON_MISTAKE(triangleForce, half_kept);
-MUELLE_MISTAKE(triangleForce, doubled, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
-  return Vec9(2 * oracle::triangleForce(x, k, L0));
-});
+MUELLE_MISTAKE(triangleForce, doubled,
+               [](const Vec9& x, const Vec3& k, const Vec3& L0) { return Vec9(2 * oracle::triangleForce(x, k, L0)); });
 FORCE_MISTAKE(missing_rest_length, [](double ks, double L, double) { return ks * L; });
 FORCE_MISTAKE(not_normalised, [](double ks, double L, double l0) { return ks * (L - l0) * L; });
 FORCE_MISTAKE(gradient_of_squared_length, [](double ks, double L, double l0) { return 2 * ks * (L - l0) * L; });
@@ -320,6 +319,43 @@ struct Guards {
                           });
   }
 
+  /// Central differences of the energy with a step h.
+  void addQuotient(double h) {
+    forces.emplace_back("triangleForce", "difference_quotient", &oracle::triangleForce,
+                        [h](const Vec9& x, const Vec3& k, const Vec3& L0) {
+                          Vec9 F;
+                          for (int i = 0; i < 9; ++i) {
+                            const Vec9 step = h * Vec9::Unit(i);
+                            F[i] = (oracle::triangleEnergy(x - step, k, L0) - oracle::triangleEnergy(x + step, k, L0)) /
+                                   (2 * h);
+                          }
+                          return F;
+                        });
+  }
+
+  /// Nodes that are nearer than a part of their distance from the origin are taken for one, as isApprox does.
+  void addRelative(double part) {
+    forces.emplace_back("triangleForce", "threshold", &oracle::triangleForce,
+                        [part](const Vec9& x, const Vec3& k, const Vec3& L0) {
+                          Vec3 felt = k;
+                          for (int s = 0; s < 3; ++s) {
+                            const Vec3 a = x.segment<3>(3 * first(s)), b = x.segment<3>(3 * second(s));
+                            if (a.isApprox(b, part)) felt[s] = 0;
+                          }
+                          return oracle::triangleForce(x, felt, L0);
+                        });
+  }
+
+  /// The stretch is cut off at some multiple of L0.
+  void addClamped(double multiple) {
+    forces.emplace_back("triangleForce", "stretch_clamped", &oracle::triangleForce,
+                        [multiple](const Vec9& x, const Vec3& k, const Vec3& L0) {
+                          return withTension(x, k, L0, [multiple](double ks, double L, double l0) {
+                            return ks * std::min(L - l0, multiple * l0);
+                          });
+                        });
+  }
+
   /// \param bare the springs without a guard
   void addUnguarded(const std::vector<int>& bare) {
     forces.emplace_back("triangleForce", "unguarded", &oracle::triangleForce,
@@ -339,6 +375,9 @@ Guards registerGuards() {
   Guards guards;
   for (const double small : smallNumbers) guards.addSmall(small);
   for (const std::vector<int>& bare : {std::vector{0, 1, 2}, {0}, {1}, {2}, {0, 1}, {1, 2}}) guards.addUnguarded(bare);
+  for (const double h : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) guards.addQuotient(h);
+  for (const double part : {1e-12, 1e-10, 1e-9, 1e-8, 1e-6}) guards.addRelative(part);
+  for (const double multiple : {0.5, 1.0, 2.0}) guards.addClamped(multiple);
   return guards;
 }
 

@@ -1,4 +1,4 @@
-// loses: EnergyGradient, FiniteDifferences, Forces, CoincidentNodes, TinyLengths, StretchAndRelease; misconception: one_block_only
+// loses: EnergyGradient, FiniteDifferences; misconception: one_block_only
 #include "energy_gradient.h"
 
 double springEnergy1d(const Vec2& x, double k, double L0) {

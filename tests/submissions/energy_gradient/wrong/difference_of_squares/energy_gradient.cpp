@@ -1,4 +1,4 @@
-// loses: EnergyInSpace, FiniteDifferences, CoincidentNodes, StretchAndRelease; misconception: difference_of_squares
+// loses: EnergyInSpace, FiniteDifferences, StretchAndRelease; misconception: difference_of_squares
 #include "energy_gradient.h"
 
 double springEnergy1d(const Vec2& x, double k, double L0) {

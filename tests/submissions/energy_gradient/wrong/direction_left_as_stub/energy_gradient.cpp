@@ -1,4 +1,4 @@
-// loses: LengthGradient, EnergyGradient, FiniteDifferences, Forces, CoincidentNodes, TinyLengths, StretchAndRelease; misconception: none
+// loses: LengthGradient, EnergyGradient, FiniteDifferences, Forces, CoincidentNodes, TinyLengths, StretchAndRelease; misconception: zero
 // never filled in, and all that follows is built on it
 #include "energy_gradient.h"
 

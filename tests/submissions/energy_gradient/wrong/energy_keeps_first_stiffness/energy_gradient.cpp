@@ -1,4 +1,4 @@
-// loses: EnergyInSpace, FiniteDifferences, CoincidentNodes, StretchAndRelease; misconception: stateful
+// loses: EnergyInSpace, FiniteDifferences, CoincidentNodes, TinyLengths, StretchAndRelease; misconception: stateful
 // static, so that it is computed only once
 #include "energy_gradient.h"
 

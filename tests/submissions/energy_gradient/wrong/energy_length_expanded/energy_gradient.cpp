@@ -1,4 +1,4 @@
-// loses: EnergyInSpace; misconception: none
+// loses: EnergyInSpace, TinyLengths; misconception: none
 // |a - b|^2 = a.a + b.b - 2 a.b: all digits are lost far from the origin
 #include "energy_gradient.h"
 

@@ -1,4 +1,4 @@
-// loses: EnergyInSpace; misconception: threshold
+// loses: EnergyInSpace, TinyLengths; misconception: threshold
 // below a tenth of a millimetre it counts as rest
 #include "energy_gradient.h"
 

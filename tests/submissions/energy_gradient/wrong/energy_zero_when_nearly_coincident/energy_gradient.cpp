@@ -1,4 +1,4 @@
-// loses: CoincidentNodes; misconception: energy_lost_when_coincident or threshold
+// loses: CoincidentNodes, TinyLengths; misconception: energy_lost_when_coincident or threshold
 #include "energy_gradient.h"
 
 double springEnergy1d(const Vec2& x, double k, double L0) {

@@ -1,4 +1,4 @@
-// loses: Forces, CoincidentNodes, TinyLengths, StretchAndRelease; misconception: none
+// loses: Forces, CoincidentNodes, TinyLengths, StretchAndRelease; misconception: zero
 #include "energy_gradient.h"
 
 double springEnergy1d(const Vec2& x, double k, double L0) {

@@ -1,4 +1,4 @@
-// loses: LengthGradient, EnergyGradient, FiniteDifferences, Forces, CoincidentNodes, TinyLengths, StretchAndRelease; misconception: gradient_of_squared_length
+// loses: LengthGradient; misconception: gradient_of_squared_length
 #include "energy_gradient.h"
 
 double springEnergy1d(const Vec2& x, double k, double L0) {

@@ -1,4 +1,4 @@
-// loses: EnergyGradient, FiniteDifferences; misconception: threshold
+// loses: EnergyGradient, FiniteDifferences, StretchAndRelease; misconception: stretch_clamped
 // no spring is stretched by more than twice its rest length
 #include "energy_gradient.h"
 

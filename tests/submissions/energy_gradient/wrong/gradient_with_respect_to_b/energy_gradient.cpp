@@ -1,4 +1,4 @@
-// loses: LengthGradient, EnergyGradient, FiniteDifferences, Forces, CoincidentNodes, TinyLengths, StretchAndRelease; misconception: wrong_node_or_sign
+// loses: LengthGradient; misconception: wrong_node_or_sign
 #include "energy_gradient.h"
 
 double springEnergy1d(const Vec2& x, double k, double L0) {

@@ -1,4 +1,4 @@
-// loses: EnergyInOneDimension, CoincidentNodes; misconception: none
+// loses: EnergyInOneDimension, CoincidentNodes, TinyLengths; misconception: none
 // "inline makes it faster": the function is not there for the linker
 #include "energy_gradient.h"
 

@@ -1,4 +1,4 @@
-// loses: EnergyInOneDimension, CoincidentNodes; misconception: integer_division
+// loses: EnergyInOneDimension, CoincidentNodes, TinyLengths; misconception: integer_division or zero
 // one half is 1 / 2
 #include "energy_gradient.h"
 

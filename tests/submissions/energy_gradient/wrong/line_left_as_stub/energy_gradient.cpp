@@ -1,4 +1,4 @@
-// loses: EnergyInOneDimension, CoincidentNodes; misconception: none
+// loses: EnergyInOneDimension, CoincidentNodes, TinyLengths; misconception: zero
 // forgot the 1D function; 3D has a formula of its own
 #include "energy_gradient.h"
 

@@ -1,4 +1,4 @@
-// loses: EnergyGradient, FiniteDifferences, Forces, CoincidentNodes, TinyLengths, StretchAndRelease; misconception: missing_rest_length
+// loses: EnergyGradient, FiniteDifferences; misconception: missing_rest_length
 #include "energy_gradient.h"
 
 double springEnergy1d(const Vec2& x, double k, double L0) {

@@ -1,4 +1,4 @@
-// loses: LengthGradient, EnergyGradient, FiniteDifferences, Forces, CoincidentNodes, TinyLengths, StretchAndRelease; misconception: not_normalised
+// loses: LengthGradient; misconception: not_normalised
 #include "energy_gradient.h"
 
 double springEnergy1d(const Vec2& x, double k, double L0) {

@@ -1,4 +1,4 @@
-// loses: EnergyGradient, FiniteDifferences, Forces, CoincidentNodes, TinyLengths, StretchAndRelease; misconception: same_block_twice
+// loses: EnergyGradient, FiniteDifferences; misconception: same_block_twice
 #include "energy_gradient.h"
 
 double springEnergy1d(const Vec2& x, double k, double L0) {

@@ -1,4 +1,4 @@
-// loses: EnergyGradient, FiniteDifferences, Forces, CoincidentNodes, TinyLengths, StretchAndRelease; misconception: none
+// loses: EnergyGradient, FiniteDifferences, Forces, CoincidentNodes, TinyLengths, StretchAndRelease; misconception: never_written
 #include "energy_gradient.h"
 
 double springEnergy1d(const Vec2& x, double k, double L0) {

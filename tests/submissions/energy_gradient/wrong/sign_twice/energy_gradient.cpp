@@ -1,4 +1,4 @@
-// loses: EnergyGradient, FiniteDifferences, Forces, StretchAndRelease; misconception: wrong_node_or_sign or wrong_sign
+// loses: EnergyGradient, FiniteDifferences, StretchAndRelease; misconception: wrong_node_or_sign or wrong_sign
 // pushes where it should pull, in both, each with its own direction
 #include "energy_gradient.h"
 

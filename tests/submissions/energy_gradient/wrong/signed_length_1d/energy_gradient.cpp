@@ -1,4 +1,4 @@
-// loses: EnergyInOneDimension, CoincidentNodes; misconception: signed_length
+// loses: EnergyInOneDimension; misconception: signed_length
 #include "energy_gradient.h"
 
 double springEnergy1d(const Vec2& x, double k, double L0) {

@@ -1,4 +1,4 @@
-// loses: EnergyInSpace, FiniteDifferences, CoincidentNodes, StretchAndRelease; misconception: not_squared
+// loses: EnergyInSpace, FiniteDifferences, StretchAndRelease; misconception: not_squared
 #include "energy_gradient.h"
 
 double springEnergy1d(const Vec2& x, double k, double L0) {

@@ -1,4 +1,4 @@
-// loses: all; misconception: none
+// loses: all; misconception: zero
 #include "energy_gradient.h"
 
 double springEnergy1d(const Vec2& x, double k, double L0) {

@@ -1,4 +1,4 @@
-// loses: CoincidentNodes; misconception: energy_lost_when_coincident or threshold
+// loses: CoincidentNodes, TinyLengths; misconception: energy_lost_when_coincident or threshold
 #include "triangle.h"
 
 using Big = long double;

@@ -1,4 +1,4 @@
-// loses: TriangleEnergy, MinusTheGradient, Equivariance, CoincidentNodes, FreeFlight; misconception: integer_division
+// loses: TriangleEnergy, MinusTheGradient, Equivariance, CoincidentNodes, TinyLengths, FreeFlight; misconception: integer_division or zero
 // 1 / 2 is 0
 #include "triangle.h"
 

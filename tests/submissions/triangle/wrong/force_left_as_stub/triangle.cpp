@@ -1,4 +1,4 @@
-// loses: TriangleForce, MinusTheGradient, NewtonsThirdLaw, Equivariance, CoincidentNodes, TinyLengths, FreeFlight; misconception: none
+// loses: TriangleForce, MinusTheGradient, NewtonsThirdLaw, Equivariance, CoincidentNodes, TinyLengths, FreeFlight; misconception: zero
 // the forces were computed and not returned
 #include "triangle.h"
 

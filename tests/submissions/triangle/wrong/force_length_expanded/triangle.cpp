@@ -1,4 +1,4 @@
-// loses: Equivariance, TinyLengths; misconception: none
+// loses: TriangleForce, TinyLengths; misconception: none
 // |p - q|^2 = p.p + q.q - 2 p.q: all digits are lost far from the origin
 #include "triangle.h"
 

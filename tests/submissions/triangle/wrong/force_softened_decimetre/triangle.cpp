@@ -1,4 +1,4 @@
-// loses: TriangleForce, MinusTheGradient, TinyLengths, FreeFlight; misconception: softened_length
+// loses: TriangleForce, MinusTheGradient; misconception: softened_length
 #include "triangle.h"
 
 namespace {

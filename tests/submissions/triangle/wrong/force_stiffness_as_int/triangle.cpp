@@ -1,4 +1,4 @@
-// loses: TriangleForce, MinusTheGradient, FreeFlight; misconception: whole_numbers or integer_division
+// loses: TriangleForce, MinusTheGradient; misconception: whole_numbers or integer_division
 #include "triangle.h"
 
 // One column for each node.

@@ -1,4 +1,4 @@
-// loses: TriangleForce, MinusTheGradient, FreeFlight; misconception: none
+// loses: TriangleForce, MinusTheGradient; misconception: stretch_clamped
 // a spring breaks off at half its rest length of stretch
 #include "triangle.h"
 

@@ -1,4 +1,4 @@
-// loses: TriangleForce; misconception: zero_rest_length_skipped
+// loses: TriangleForce, MinusTheGradient; misconception: zero_rest_length_skipped
 // without rest length it was taken for no spring
 #include "triangle.h"
 

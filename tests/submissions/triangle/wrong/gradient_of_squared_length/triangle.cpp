@@ -1,4 +1,4 @@
-// loses: TriangleForce, MinusTheGradient, NewtonsThirdLaw, Equivariance, CoincidentNodes, TinyLengths, FreeFlight; misconception: gradient_of_squared_length
+// loses: TriangleForce, MinusTheGradient, FreeFlight; misconception: gradient_of_squared_length
 #include "triangle.h"
 
 namespace {

@@ -1,4 +1,4 @@
-// loses: TriangleForce, MinusTheGradient, NewtonsThirdLaw, Equivariance, CoincidentNodes, TinyLengths, FreeFlight; misconception: half_kept
+// loses: TriangleForce, MinusTheGradient, FreeFlight; misconception: half_kept
 #include "triangle.h"
 
 namespace {

@@ -1,4 +1,4 @@
-// loses: TriangleForce, MinusTheGradient, NewtonsThirdLaw, Equivariance, CoincidentNodes, TinyLengths, FreeFlight; misconception: not_normalised
+// loses: TriangleForce, MinusTheGradient, FreeFlight; misconception: not_normalised
 #include "triangle.h"
 
 namespace {

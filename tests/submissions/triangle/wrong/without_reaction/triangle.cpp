@@ -1,4 +1,4 @@
-// loses: TriangleForce, MinusTheGradient, NewtonsThirdLaw, Equivariance, CoincidentNodes, TinyLengths, FreeFlight; misconception: without_reaction
+// loses: TriangleForce, MinusTheGradient, NewtonsThirdLaw, Equivariance, FreeFlight; misconception: without_reaction
 #include "triangle.h"
 
 namespace {
