@@ -23,6 +23,7 @@ struct Hypothesis {
   bool isListed = false;
   std::vector<Leaf> of;  ///< the arguments that it is about, if any
   double value = 0.0;    ///< the constant that stands in an argument's place, the component that is wrong
+  bool isExact = true;   ///< it gives the submission's numbers to nine digits, not to six
   auto operator<=>(const Hypothesis&) const = default;
 };
 
@@ -42,14 +43,15 @@ struct FeatureRange {
 /// The calls of one function.
 struct FunctionEvidence {
   long calls = 0;
-  long wrong = 0;           ///< calls with another answer than the oracle's, to six digits
-  long imprecise = 0;       ///< calls with the oracle's answer to six digits, but not to nine
-  double worst = 0.0;       ///< largest deviation of an answer from the oracle's, relative to it; infinity for a NaN
-  long notANumber = 0;      ///< wrong calls with a NaN or an infinity in the answer
-  long zero = 0;            ///< calls answered by nothing but zeros
-  long wrongZero = 0;       ///< those among the wrong calls
-  bool isStateful = false;  ///< another answer to the same question
-  bool isConstant = false;  ///< one answer to all calls, where the oracle has several
+  long wrong = 0;            ///< calls with another answer than the oracle's, to six digits
+  long imprecise = 0;        ///< calls with an answer near the oracle's, not equal: right to three to nine digits
+  double worstNear = 0.0;    ///< largest deviation of these, relative to the oracle's answer
+  long notANumber = 0;       ///< wrong calls with a NaN or an infinity in the answer
+  long zero = 0;             ///< calls answered by nothing but zeros
+  long wrongZero = 0;        ///< those among the wrong calls
+  bool isUnwritten = false;  ///< memory to which nothing was written is among the answers
+  bool isStateful = false;   ///< another answer to the same question
+  bool isConstant = false;   ///< one answer to all calls, where the oracle has several
   std::vector<Hypothesis> agreeing;  ///< those that give the submission's answer in every call
   std::map<Feature, FeatureRange> features;
   bool operator==(const FunctionEvidence&) const = default;

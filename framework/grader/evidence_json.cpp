@@ -29,7 +29,7 @@ std::vector<Leaf> leavesFrom(const json& list) {
 json toJson(const FunctionEvidence& evidence) {
   json agreeing = json::array();
   for (const Hypothesis& each : evidence.agreeing) {
-    agreeing.push_back({each.id, each.isListed, toJson(each.of), exact(each.value)});
+    agreeing.push_back({each.id, each.isListed, toJson(each.of), exact(each.value), each.isExact});
   }
   json features = json::array();
   for (const auto& [feature, range] : evidence.features) {
@@ -39,7 +39,8 @@ json toJson(const FunctionEvidence& evidence) {
   return {{"calls", evidence.calls},
           {"wrong", evidence.wrong},
           {"imprecise", evidence.imprecise},
-          {"worst", exact(evidence.worst)},
+          {"worst_near", exact(evidence.worstNear)},
+          {"unwritten", evidence.isUnwritten},
           {"not_a_number", evidence.notANumber},
           {"zero", evidence.zero},
           {"wrong_zero", evidence.wrongZero},
@@ -54,14 +55,15 @@ FunctionEvidence functionFrom(const json& document) {
   document.at("calls").get_to(evidence.calls);
   document.at("wrong").get_to(evidence.wrong);
   document.at("imprecise").get_to(evidence.imprecise);
-  evidence.worst = exactOf(document.at("worst"));
+  evidence.worstNear = exactOf(document.at("worst_near"));
+  document.at("unwritten").get_to(evidence.isUnwritten);
   document.at("not_a_number").get_to(evidence.notANumber);
   document.at("zero").get_to(evidence.zero);
   document.at("wrong_zero").get_to(evidence.wrongZero);
   document.at("stateful").get_to(evidence.isStateful);
   document.at("constant").get_to(evidence.isConstant);
   for (const json& each : document.at("agreeing")) {
-    evidence.agreeing.push_back({each.at(0), each.at(1), leavesFrom(each.at(2)), exactOf(each.at(3))});
+    evidence.agreeing.push_back({each.at(0), each.at(1), leavesFrom(each.at(2)), exactOf(each.at(3)), each.at(4)});
   }
   for (const json& each : document.at("features")) {
     evidence.features[{each.at(0), leavesFrom(each.at(1))}] = {exactOf(each.at(2)), exactOf(each.at(3)),

@@ -88,8 +88,6 @@ Mat3 Random::rotation() {
   return (w * w - u.squaredNorm()) * Mat3::Identity() + 2 * u * u.transpose() + 2 * w * cross;
 }
 
-double Random::rounded(double number) { return threeDigits(number); }
-
 Random testRandom() {
   std::uint64_t seed = testSeed();
   if (const auto* info = ::testing::UnitTest::GetInstance()->current_test_info()) {

@@ -35,8 +35,6 @@ class Random {
   /// A rotation matrix, uniform over rotations.
   Mat3 rotation();
 
-  /// The number to three significant digits: what a student is shown can be typed. 0.71938 gives 0.719.
-  static double rounded(double number);
 
  private:
   double normal();

@@ -1,6 +1,7 @@
 #include "grader/naming/merged_evidence.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace muelle::grader {
 
@@ -13,18 +14,26 @@ void widen(FeatureRange& range, const FeatureRange& more) {
   range.mostWrong = std::max(range.mostWrong, more.mostWrong);
 }
 
+bool isSame(const Hypothesis& a, const Hypothesis& b) {
+  return std::tie(a.id, a.isListed, a.of, a.value) == std::tie(b.id, b.isListed, b.of, b.value);
+}
+
 void merge(FunctionEvidence& all, const FunctionEvidence& more) {
   all.calls += more.calls;
   all.wrong += more.wrong;
   all.imprecise += more.imprecise;
-  all.worst = std::max(all.worst, more.worst);
+  all.worstNear = std::max(all.worstNear, more.worstNear);
+  all.isUnwritten = all.isUnwritten || more.isUnwritten;
   all.notANumber += more.notANumber;
   all.zero += more.zero;
   all.wrongZero += more.wrongZero;
   all.isStateful = all.isStateful || more.isStateful;
   all.isConstant = all.isConstant && more.isConstant;
-  std::erase_if(all.agreeing, [&more](const Hypothesis& each) {
-    return std::ranges::find(more.agreeing, each) == more.agreeing.end();
+  std::erase_if(all.agreeing, [&more](Hypothesis& each) {
+    const auto other = std::ranges::find_if(more.agreeing, [&each](const Hypothesis& h) { return isSame(h, each); });
+    if (other == more.agreeing.end()) return true;
+    each.isExact = each.isExact && other->isExact;
+    return false;
   });
   for (const auto& [feature, range] : more.features) {
     const auto [known, isNew] = all.features.try_emplace(feature, range);

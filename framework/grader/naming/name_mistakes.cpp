@@ -14,9 +14,6 @@ namespace muelle::grader {
 
 namespace {
 
-/// Answers that are this near the right ones are those of a method or a type that is not exact.
-constexpr double nearlyRight = 1e-3;
-
 /// Names the mistake of one function after the other.
 class Namer {
  public:
@@ -26,8 +23,9 @@ class Namer {
   std::optional<NamedMistake> nameOf(const std::string& function) const {
     const FunctionEvidence& evidence = evidence_.at(function);
     if (!evidence.isStateful && evidence.wrong + evidence.imprecise < fewestWrong) return std::nullopt;
-    for (const auto way : {&Namer::degenerate, &Namer::listed, &Namer::generic, &Namer::notANumber,
-                           &Namer::nearlyRightName, &Namer::wholeNumbers, &Namer::partly}) {
+    if (evidence.isUnwritten) return std::nullopt;  // that is said, and its numbers are nobody's
+    for (const auto way : {&Namer::degenerate, &Namer::listedExactly, &Namer::nearlyRight, &Namer::listed,
+                           &Namer::generic, &Namer::notANumber, &Namer::wholeNumbers, &Namer::partly}) {
       if (auto named = (this->*way)(function, evidence)) return named;
     }
     return std::nullopt;
@@ -43,6 +41,7 @@ class Namer {
                           "Take out static and global variables, and give every variable a value in each call."};
     }
     if (evidence.zero == evidence.calls) {
+      if (auto division = wholeNumbers(function, evidence)) return division;
       return NamedMistake{"zero", function, fmt::format("{} always gives 0", function),
                           "It may still be as it was handed out, or return before it has computed anything."};
     }
@@ -70,12 +69,20 @@ class Namer {
   }
 
   Found listed(const std::string& function, const FunctionEvidence& evidence) const {
+    return listedOnes(function, evidence, false);
+  }
+
+  Found listedExactly(const std::string& function, const FunctionEvidence& evidence) const {
+    return listedOnes(function, evidence, true);
+  }
+
+  Found listedOnes(const std::string& function, const FunctionEvidence& evidence, bool exactly) const {
     if (evidence.wrong < fewestWrong) return std::nullopt;
     std::vector<NamedMistake> all;
     for (const Hypothesis& each : evidence.agreeing) {
       const bool isKnown = std::ranges::any_of(all, [&](const NamedMistake& known) { return known.id == each.id; });
       const Misconception* words = each.isListed ? statement(each.id, function) : nullptr;
-      if (isKnown || words == nullptr) continue;
+      if (isKnown || words == nullptr || (exactly && !each.isExact)) continue;
       const bool isOwn = words->function == function || wasWrong(words->function);
       all.push_back({each.id, isOwn ? words->function : function,
                      isOwn ? words->says : fmt::format("in {}, {}", function, words->says), words->hint});
@@ -107,17 +114,18 @@ class Namer {
                         "Look for a division by zero or the root of a negative number there."};
   }
 
-  /// Right to some digits: single precision, a difference quotient, a rounded constant.
-  Found nearlyRightName(const std::string& function, const FunctionEvidence& evidence) const {
-    if (evidence.imprecise + evidence.wrong < fewestWrong || evidence.worst > nearlyRight) return std::nullopt;
-    const int digits = static_cast<int>(-std::log10(evidence.worst));
+  /// Right to some digits where it is right at all: single precision, a difference quotient, a rounded constant.
+  Found nearlyRight(const std::string& function, const FunctionEvidence& evidence) const {
+    if (evidence.imprecise < fewestWrong || 2 * evidence.imprecise < evidence.wrong) return std::nullopt;
+    const int digits = static_cast<int>(-std::log10(evidence.worstNear));
     const std::string says = fmt::format("{} is right to about {} digits only", function, digits);
     if (const auto clue = singlePrecision(source_)) {
       return NamedMistake{"single_precision", function,
                           fmt::format("{}: line {} computes with {}", says, clue->line, clue->token),
                           "Compute with double everywhere: it has 16 digits."};
     }
-    return NamedMistake{"difference_quotient", function, says + ": a derivative by differences, or a rounded constant",
+    return NamedMistake{"difference_quotient", function,
+                        says + ": a derivative by differences, a sum that stops early, or a rounded constant",
                         "Derivatives are asked for as formulas, which are exact; constants with all their digits."};
   }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace muelle::grader {
 
@@ -38,15 +39,18 @@ bool isConstant(const std::vector<Answers>& draws, std::vector<double> Answers::
                              [&](const Answers& answers) { return agree(answers.*whose, draws.front().*whose, 0.0); });
 }
 
-/// The place of the first argument that changes the oracle's answer and leaves the student's; nothing when there is
-/// none.
+/// The place of the first argument that changes the oracle's answer and never the student's; nothing when there is
+/// none. One answer that stays is no proof: a rope does not push, whatever k is.
 std::optional<std::size_t> ignoredArgument(const Examination& examination) {
+  std::map<std::size_t, bool> isIgnored;
   for (const Examination::Exchanged& exchanged : examination.exchanged) {
     const Answers& before = examination.draws[exchanged.draw];
     if (agree(before.right, exchanged.answers.right, 0.0)) continue;
-    if (agree(before.own, exchanged.answers.own, 0.0)) return exchanged.argument;
+    bool& soFar = isIgnored.try_emplace(exchanged.argument, true).first->second;
+    soFar = soFar && agree(before.own, exchanged.answers.own, 0.0);
   }
-  return std::nullopt;
+  const auto found = std::ranges::find_if(isIgnored, [](const auto& argument) { return argument.second; });
+  return found == isIgnored.end() ? std::nullopt : std::optional(found->first);
 }
 
 std::string shownArgument(const std::vector<std::string>& names, std::size_t place) {

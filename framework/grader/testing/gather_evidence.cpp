@@ -1,5 +1,6 @@
 #include "grader/testing/gather_evidence.h"
 
+#include "course/testing/never_written.h"
 #include "grader/testing/features.h"
 #include "grader/testing/generic_mistakes.h"
 
@@ -15,6 +16,7 @@ using Numbers = CallHistoryBase::Numbers;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double precise = 1e-9;  ///< a relative deviation that round-off explains
+constexpr double near = 1e-3;     ///< and one of a method or a type that is not exact
 
 /// Largest difference of two answers, relative to the right one; infinity where they cannot be compared. Where the
 /// right one cancels to little, as k (L - L0) at rest, round-off is that of the numbers that it is made of.
@@ -47,9 +49,7 @@ class Gatherer {
     for (std::size_t call = 0; call < history.calls(); ++call) count(call);
     found_.isConstant = isConstant();
     addListed();
-    for (const Prediction& each : genericMistakes(history)) {
-      if (agrees(each.numbers)) found_.agreeing.push_back(each.hypothesis);
-    }
+    for (const Prediction& each : genericMistakes(history)) addIfAgrees(each.hypothesis, each.numbers);
   }
 
   FunctionEvidence take() { return std::move(found_); }
@@ -65,11 +65,14 @@ class Gatherer {
     const double deviation = deviationOf(got, expected, floor);
     ++found_.calls;
     found_.zero += isZero ? 1 : 0;
-    found_.worst = std::max(found_.worst, deviation);
     found_.wrong += isRight ? 0 : 1;
     found_.wrongZero += !isRight && isZero ? 1 : 0;
     found_.notANumber += !isRight && !isFinite ? 1 : 0;
-    found_.imprecise += isRight && deviation > precise ? 1 : 0;
+    found_.isUnwritten = found_.isUnwritten || std::ranges::any_of(got, isFill);
+    if (deviation > precise && deviation <= near) {
+      ++found_.imprecise;
+      found_.worstNear = std::max(found_.worstNear, deviation);
+    }
     for (FeatureValue& each : featuresOf(history_.items(call))) widen(found_.features, std::move(each), isRight);
   }
 
@@ -86,17 +89,26 @@ class Gatherer {
   void addListed() {
     const std::vector<std::string> ids = history_.mistakes();
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      const Hypothesis hypothesis{ids[i], true, {}, static_cast<double>(i)};
-      if (agrees([&](std::size_t call) { return history_.listed(i, call); })) found_.agreeing.push_back(hypothesis);
+      addIfAgrees({ids[i], true, {}, static_cast<double>(i)},
+                  [&](std::size_t call) { return history_.listed(i, call); });
     }
   }
 
   template <class Predicted>
-  bool agrees(const Predicted& predicted) const {
+  void addIfAgrees(Hypothesis hypothesis, const Predicted& predicted) {
     for (std::size_t call = 0; call < history_.calls(); ++call) {
-      if (!agree(history_.outcome(call), predicted(call), history_.roundOff(call))) return false;
+      const Numbers& got = history_.outcome(call);
+      const Numbers numbers = predicted(call);
+      const double floor = history_.roundOff(call);
+      if (!agree(got, numbers, floor)) return;
+      const bool isExact = got == numbers || hasNoNumber(got) || deviationOf(got, numbers, floor) <= precise;
+      hypothesis.isExact = hypothesis.isExact && isExact;
     }
-    return true;
+    found_.agreeing.push_back(std::move(hypothesis));
+  }
+
+  static bool hasNoNumber(const Numbers& numbers) {
+    return std::ranges::any_of(numbers, [](double number) { return !std::isfinite(number); });
   }
 
   const CallHistoryBase& history_;

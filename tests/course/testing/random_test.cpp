@@ -91,10 +91,10 @@ TEST(Random, StaysInItsRange) {
 }
 
 TEST(Random, RoundsToThreeDigits) {
-  EXPECT_EQ(Random::rounded(0.71938), 0.719);
-  EXPECT_EQ(Random::rounded(-1234.5), -1230.0);
-  EXPECT_EQ(Random::rounded(0.99951), 1.0);
-  EXPECT_EQ(Random::rounded(0.0), 0.0);
+  EXPECT_EQ(threeDigits(0.71938), 0.719);
+  EXPECT_EQ(threeDigits(-1234.5), -1230.0);
+  EXPECT_EQ(threeDigits(0.99951), 1.0);
+  EXPECT_EQ(threeDigits(0.0), 0.0);
 }
 
 TEST(TestRandom, DependsOnTheSeedOfTheRunAndOnTheTest) {

@@ -27,8 +27,8 @@ constexpr int caseCount = 12;
 constexpr double ofStructure = 1e-6;
 
 /// Of three digits, as all numbers that a student may have to type.
-double number(Random& random, double low, double high) { return Random::rounded(random.number(low, high)); }
-double positive(Random& random, double low, double high) { return Random::rounded(random.positive(low, high)); }
+double number(Random& random, double low, double high) { return muelle::threeDigits(random.number(low, high)); }
+double positive(Random& random, double low, double high) { return muelle::threeDigits(random.positive(low, high)); }
 
 /// A spring between a and b.
 struct SpringCase {
@@ -51,7 +51,7 @@ SpringCase randomSpring(Random& random, int side, Strain strain) {
   const double change = random.number(0.1, 0.6);
   const double stretch = strain == Strain::Stretched ? change : -change;
   spring.xb = number(random, -2.0, 2.0);
-  spring.xa = Random::rounded(spring.xb + side * spring.L0 * (1 + stretch));
+  spring.xa = muelle::threeDigits(spring.xb + side * spring.L0 * (1 + stretch));
   return spring;
 }
 
@@ -83,7 +83,7 @@ struct NodeCase {
 /// \param side +1: the other end is above x
 Attachment randomAttachment(Random& random, double x, int side, Strain strain) {
   const SpringCase spring = randomSpring(random, side, strain);
-  return {Random::rounded(x + (spring.xa - spring.xb)), spring.k, spring.L0};
+  return {muelle::threeDigits(x + (spring.xa - spring.xb)), spring.k, spring.L0};
 }
 
 NodeCase randomNode(Random& random, int i) {
@@ -150,7 +150,7 @@ TEST(HookeForce, FollowsHookesLaw) {
 
 TEST(HookeForce, GrowsInProportionToTheDeformation) {
   MUELLE_PROPERTY("at the rest length the force is 0, and every further 1 cm of stretch adds k times 1 cm");
-  for (int cm = 0; cm <= 10; ++cm) expectForceOnA({Random::rounded(0.31 + 0.73 + 0.01 * cm), 0.31, 83.0, 0.73});
+  for (int cm = 0; cm <= 10; ++cm) expectForceOnA({muelle::threeDigits(0.31 + 0.73 + 0.01 * cm), 0.31, 83.0, 0.73});
 }
 
 TEST(HookeForce, HoldsForEverySpring) {
@@ -483,7 +483,7 @@ TEST(HangingNode, RestsWhereTheSpringCarriesItsWeight) {
       "a node that stretches its spring by m g / k does not accelerate; below that it goes up, above it down");
   for (const double y : {-0.23, -0.11, 0.0, 0.07, 0.19}) {
     // 0.3 kg at 7 m/s^2 stretch 30 N/m by 0.07 m.
-    expectHangingAcceleration({Random::rounded(-0.37 - 0.07 + y), 0.3, {}, {0.45, 30, 0.82}, 7});
+    expectHangingAcceleration({muelle::threeDigits(-0.37 - 0.07 + y), 0.3, {}, {0.45, 30, 0.82}, 7});
   }
 }
 

@@ -31,10 +31,10 @@ constexpr int caseCount = 12;
 constexpr double ofStructure = 1e-6;
 
 /// Of three digits, as all numbers that a student may have to type.
-double number(Random& random, double low, double high) { return Random::rounded(random.number(low, high)); }
-double positive(Random& random, double low, double high) { return Random::rounded(random.positive(low, high)); }
+double number(Random& random, double low, double high) { return muelle::threeDigits(random.number(low, high)); }
+double positive(Random& random, double low, double high) { return muelle::threeDigits(random.positive(low, high)); }
 Vec3 rounded(const Vec3& v) {
-  return v.unaryExpr([](double each) { return Random::rounded(each); });
+  return v.unaryExpr([](double each) { return muelle::threeDigits(each); });
 }
 Vec3 vector3(Random& random, double scale) { return rounded(random.vector3(scale)); }
 
@@ -158,7 +158,7 @@ TEST(Magnitude, IsZeroAtTheRestLength) {
   MUELLE_PROPERTY("at L = L0 the magnitude is 0, and every further 1 cm of stretch takes k times 1 cm away");
   const Vec3 xb(0.11, -0.23, 0.34);
   for (int cm = 0; cm <= 5; ++cm) {
-    const double third = Random::rounded(0.24 + 0.01 * cm);
+    const double third = muelle::threeDigits(0.24 + 0.01 * cm);
     expectMagnitude({xb + third * Vec3(2, -1, 2), xb, 83.0, 0.72});
   }
 }
@@ -567,7 +567,7 @@ TEST(NodeAcceleration, RestsWhereTheSpringsCarryItsWeight) {
   const Vec3 x(0.12, -0.31, 0.43);
   for (const double s : {0.31, 0.37, 0.44, 0.53}) {
     // The springs go from x to x + (+-3 s, 0, 4 s) and have the length 5 s: each carries 4/5 of its tension.
-    const double L0 = 4.0 * s, k = 62.5, m = 1.6, g = Random::rounded(2 * k * s * 4.0 / 5.0 / m);
+    const double L0 = 4.0 * s, k = 62.5, m = 1.6, g = muelle::threeDigits(2 * k * s * 4.0 / 5.0 / m);
     expectAcceleration({x, m, {{x + Vec3(3 * s, 0, 4 * s), k, L0}, {x + Vec3(-3 * s, 0, 4 * s), k, L0}}, g});
   }
 }
