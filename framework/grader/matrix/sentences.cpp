@@ -42,7 +42,7 @@ std::string withoutNumbers(std::string_view text) {
           (plain.size() < 2 || std::string_view(" (,").find(plain[plain.size() - 2]) != std::string_view::npos);
       if (isNegative) plain.pop_back();
       plain += '#';
-      at = endOfNumber(text, at + 1);
+      at = endOfNumber(text, at);
     } else {
       plain += text[at++];
     }

@@ -95,6 +95,20 @@ Separation wrongAbove(const std::string& name, const FeatureRange& range) {
   return {"range", fmt::format("{} is {} or more", name, shortly(range.fewestWrong))};
 }
 
+/// By the first feature of these kinds that parts right from wrong.
+Separation firstOf(std::initializer_list<const char*> kinds, const FunctionEvidence& evidence,
+                   const std::vector<Parameter>& parameters) {
+  for (const char* kind : kinds) {
+    for (const auto& [feature, range] : evidence.features) {
+      if (feature.kind != kind) continue;
+      const std::string name = nameOf(feature, parameters);
+      if (range.mostWrong < range.fewestRight) return wrongBelow(name, range);
+      if (range.mostRight < range.fewestWrong) return wrongAbove(name, range);
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string wordsOf(const Leaf& leaf, const std::vector<Parameter>& parameters) {
@@ -131,15 +145,9 @@ std::string sentenceOf(const Hypothesis& hypothesis, const std::string& function
 
 Separation separationOf(const FunctionEvidence& evidence, const std::vector<Parameter>& parameters) {
   if (evidence.wrong == 0 || evidence.wrong == evidence.calls || !isNoAccident(evidence)) return {};
-  for (const char* kind : {"distance", "length", "value", "count", "least", "most", "difference"}) {
-    for (const auto& [feature, range] : evidence.features) {
-      if (feature.kind != kind) continue;
-      const std::string name = nameOf(feature, parameters);
-      if (range.mostWrong < range.fewestRight) return wrongBelow(name, range);
-      if (range.mostRight < range.fewestWrong) return wrongAbove(name, range);
-    }
-  }
-  return {};
+  // A sign parts more surely than a number that happens to lie between.
+  if (Separation found = firstOf({"difference"}, evidence, parameters); found.id == "one_sided") return found;
+  return firstOf({"distance", "length", "value", "count", "least", "most", "difference"}, evidence, parameters);
 }
 
 }  // namespace muelle::grader

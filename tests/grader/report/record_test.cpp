@@ -82,8 +82,8 @@ TEST_F(Record, KeepsWhatWasComparedAndTheOutcome) {
 TEST_F(Record, OfAnotherVersionIsAsIfAbsent) {
   const Verdict v = verdict("HookeForce", 1, 0);
   EXPECT_TRUE(travelled(v).has_value());
-  EXPECT_FALSE(tampered(v, "\"version\": 3", "\"version\": 1"));
-  EXPECT_FALSE(tampered(v, "\"version\": 3", "\"release\": 3"));
+  EXPECT_FALSE(tampered(v, "\"version\": 6", "\"version\": 1"));
+  EXPECT_FALSE(tampered(v, "\"version\": 6", "\"release\": 6"));
   EXPECT_FALSE(tampered(v, "\"outcome\": \"passed\"", "\"outcome\": \"splendid\""));
 }
 
