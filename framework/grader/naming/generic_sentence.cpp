@@ -78,11 +78,12 @@ std::string shortly(double number) { return fmt::format("{:.3g}", number); }
 /// A sign decides when the border lies between a negative and a positive number.
 bool isSign(double below, double above) { return below <= 0 && above >= 0; }
 
-Separation wrongBelow(const std::string& name, const FeatureRange& range) {
+Separation wrongBelow(const std::string& name, const FeatureRange& range, bool isLength) {
   if (range.fewestWrong < 0 && isSign(range.mostWrong, range.fewestRight)) {
     return {"one_sided", fmt::format("{} is negative", name)};
   }
   const bool isExact = range.fewestWrong == range.mostWrong;
+  if (!isLength && !(isExact && range.mostWrong == 0)) return {};
   return {isExact && range.mostWrong == 0 ? "edge" : "threshold",
           isExact ? fmt::format("{} is {}", name, shortly(range.mostWrong))
                   : fmt::format("{} is {} or less", name, shortly(range.mostWrong))};
@@ -92,7 +93,7 @@ Separation wrongAbove(const std::string& name, const FeatureRange& range) {
   if (isSign(range.mostRight, range.fewestWrong) && range.fewestRight < 0) {
     return {"one_sided", fmt::format("{} is positive", name)};
   }
-  return {"range", fmt::format("{} is {} or more", name, shortly(range.fewestWrong))};
+  return {};  // a large number is no cause: what is wrong there has another
 }
 
 /// By the first feature of these kinds that parts right from wrong.
@@ -102,8 +103,11 @@ Separation firstOf(std::initializer_list<const char*> kinds, const FunctionEvide
     for (const auto& [feature, range] : evidence.features) {
       if (feature.kind != kind) continue;
       const std::string name = nameOf(feature, parameters);
-      if (range.mostWrong < range.fewestRight) return wrongBelow(name, range);
-      if (range.mostRight < range.fewestWrong) return wrongAbove(name, range);
+      const bool isLength = feature.kind == "distance" || feature.kind == "length";
+      Separation found;
+      if (range.mostWrong < range.fewestRight) found = wrongBelow(name, range, isLength);
+      if (range.mostRight < range.fewestWrong) found = wrongAbove(name, range);
+      if (!found.id.empty()) return found;
     }
   }
   return {};

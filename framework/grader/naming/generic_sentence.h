@@ -18,7 +18,7 @@ std::string sentenceOf(const Hypothesis& hypothesis, const std::string& function
 /// Where right and wrong answers part: "L between right and wrong": "right where the distance of xa and xb is 1e-6 or
 /// more, wrong where it is 3e-7 or less". "" when no feature separates them surely.
 struct Separation {
-  std::string id;     ///< "threshold" when the small ones are wrong, "one_sided" for signs, else "range"
+  std::string id;     ///< "threshold" of short lengths, "one_sided" of a sign, "edge" of the number 0
   std::string where;  ///< "the distance of xa and xb is 3e-07 or less"
 };
 

@@ -24,8 +24,8 @@ class Namer {
     const FunctionEvidence& evidence = evidence_.at(function);
     if (!evidence.isStateful && evidence.wrong + evidence.imprecise < fewestWrong) return std::nullopt;
     if (evidence.isUnwritten) return std::nullopt;  // that is said, and its numbers are nobody's
-    for (const auto way : {&Namer::degenerate, &Namer::listedExactly, &Namer::nearlyRight, &Namer::listed,
-                           &Namer::generic, &Namer::notANumber, &Namer::wholeNumbers, &Namer::partly}) {
+    for (const auto way : {&Namer::degenerate, &Namer::listed, &Namer::nearlyRight, &Namer::generic, &Namer::notANumber,
+                           &Namer::wholeNumbers, &Namer::partly}) {
       if (auto named = (this->*way)(function, evidence)) return named;
     }
     return std::nullopt;
@@ -69,20 +69,12 @@ class Namer {
   }
 
   Found listed(const std::string& function, const FunctionEvidence& evidence) const {
-    return listedOnes(function, evidence, false);
-  }
-
-  Found listedExactly(const std::string& function, const FunctionEvidence& evidence) const {
-    return listedOnes(function, evidence, true);
-  }
-
-  Found listedOnes(const std::string& function, const FunctionEvidence& evidence, bool exactly) const {
     if (evidence.wrong < fewestWrong) return std::nullopt;
     std::vector<NamedMistake> all;
     for (const Hypothesis& each : evidence.agreeing) {
       const bool isKnown = std::ranges::any_of(all, [&](const NamedMistake& known) { return known.id == each.id; });
       const Misconception* words = each.isListed ? statement(each.id, function) : nullptr;
-      if (isKnown || words == nullptr || (exactly && !each.isExact)) continue;
+      if (isKnown || words == nullptr || !each.isExact) continue;
       const bool isOwn = words->function == function || wasWrong(words->function);
       all.push_back({each.id, isOwn ? words->function : function,
                      isOwn ? words->says : fmt::format("in {}, {}", function, words->says), words->hint});
@@ -98,7 +90,7 @@ class Namer {
     if (evidence.wrong < fewestWrong) return std::nullopt;
     const std::vector<Parameter> parameters = parametersOf(contract_, function);
     for (const Hypothesis& each : evidence.agreeing) {
-      const std::string says = each.isListed ? "" : sentenceOf(each, function, parameters);
+      const std::string says = each.isListed || !each.isExact ? "" : sentenceOf(each, function, parameters);
       if (!says.empty()) return NamedMistake{each.id, function, says, ""};
     }
     return std::nullopt;

@@ -1,4 +1,4 @@
-// loses: ProjectedDamping; misconception: range
+// loses: ProjectedDamping; misconception: none
 // thought: a spring this long is broken
 #include "damping.h"
 

@@ -1,4 +1,4 @@
-// loses: ZeroLength; misconception: ignored
+// loses: ZeroLength; misconception: none
 // thought: on an end there is no direction, so no spring acts; but the other one does
 #include "spring_1d.h"
 

@@ -1,4 +1,4 @@
-// loses: HookeForce, CrossedNodes, ThirdLaw, ZeroLength, ShortSpring, HangingNode, NodeBetween, Oscillator; misconception: zero
+// loses: HookeForce, CrossedNodes, ThirdLaw, ZeroLength, ShortSpring, HangingNode, NodeBetween, Oscillator; misconception: ignored or zero
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) {

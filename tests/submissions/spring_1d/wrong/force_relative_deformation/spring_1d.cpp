@@ -1,4 +1,4 @@
-// loses: HookeForce, CrossedNodes; misconception: relative_deformation
+// loses: HookeForce, CrossedNodes; misconception: none
 // thought: strain; infinite with L0 = 0
 #include "spring_1d.h"
 

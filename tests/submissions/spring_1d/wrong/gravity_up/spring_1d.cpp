@@ -1,4 +1,4 @@
-// loses: HangingNode, Oscillator; misconception: gravity_up
+// loses: HangingNode, NodeBetween, Oscillator; misconception: gravity_up
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

@@ -1,4 +1,4 @@
-// loses: ZeroLength; misconception: missing_gravity
+// loses: ZeroLength; misconception: none
 // thought: there is no force at L = 0
 #include "spring_1d.h"
 

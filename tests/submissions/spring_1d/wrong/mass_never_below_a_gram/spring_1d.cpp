@@ -1,4 +1,4 @@
-// loses: LumpedMass; misconception: threshold
+// loses: LumpedMass; misconception: none
 // thought: very light nodes make the simulation explode
 #include "spring_1d.h"
 

@@ -1,4 +1,4 @@
-// loses: HangingNode, Oscillator; misconception: missing_gravity
+// loses: HangingNode, NodeBetween, Oscillator; misconception: missing_gravity
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

@@ -1,4 +1,4 @@
-// loses: HookeForce, CrossedNodes; misconception: relative_deformation
+// loses: HookeForce, CrossedNodes; misconception: none
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

@@ -1,4 +1,4 @@
-// loses: HangingNode, Oscillator; misconception: weight_not_divided
+// loses: HangingNode, NodeBetween, Oscillator; misconception: weight_not_divided
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

@@ -1,4 +1,4 @@
-// loses: HangingNode, Oscillator; misconception: weight_without_mass
+// loses: HangingNode, NodeBetween, Oscillator; misconception: weight_without_mass
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

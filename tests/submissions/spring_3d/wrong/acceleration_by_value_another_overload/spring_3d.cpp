@@ -1,4 +1,4 @@
-// loses: all; misconception: none
+// loses: ZeroLength, ShortSpring, NodeAcceleration, ElasticPendulum; misconception: none
 // thought: took the vector by value: the declared function stays undefined
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: all; misconception: none
+// loses: ZeroLength, ShortSpring, NodeAcceleration, ElasticPendulum; misconception: none
 // thought: inline because it is fast; nothing else in the file calls it
 #include "spring_3d.h"
 

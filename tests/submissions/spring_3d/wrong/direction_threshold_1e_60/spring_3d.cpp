@@ -1,4 +1,4 @@
-// loses: ShortSpring; misconception: threshold
+// loses: ShortSpring; misconception: none
 // thought: smaller than any atom
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: NodeAcceleration; misconception: missing_gravity
+// loses: NodeAcceleration; misconception: none
 // thought: the floor carries the weight
 #include "spring_3d.h"
 

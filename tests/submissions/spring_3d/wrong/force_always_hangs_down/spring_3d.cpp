@@ -1,4 +1,4 @@
-// loses: HookeForce, ThirdLaw, Equivariance; misconception: one_sided or absolute_value
+// loses: HookeForce, ThirdLaw, Equivariance; misconception: none
 // thought: b is the ceiling, so the direction points down
 #include "spring_3d.h"
 

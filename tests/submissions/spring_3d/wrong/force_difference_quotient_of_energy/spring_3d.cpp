@@ -1,4 +1,4 @@
-// loses: HookeForce, ShortSpring; misconception: difference_quotient
+// loses: HookeForce, ShortSpring; misconception: none
 // thought: F = -dE/dx
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: ShortSpring, ZeroLength; misconception: missing_guard
+// loses: ZeroLength, ShortSpring; misconception: none
 // thought: the factors of r/L under one root; no case for 0
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: HookeForce, ThirdLaw, Equivariance, ZeroLength; misconception: constant_argument
+// loses: HookeForce, ThirdLaw, Equivariance, ZeroLength; misconception: threshold
 // thought: the node is heavy
 #include "spring_3d.h"
 

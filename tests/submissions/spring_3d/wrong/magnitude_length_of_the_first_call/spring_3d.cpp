@@ -1,4 +1,4 @@
-// loses: Magnitude, HookeForce, ThirdLaw, Equivariance, ZeroLength, ShortSpring, NodeAcceleration, ElasticPendulum; misconception: stateful
+// loses: Magnitude, HookeForce; misconception: none
 // thought: static, so that the root is not computed again
 #include "spring_3d.h"
 

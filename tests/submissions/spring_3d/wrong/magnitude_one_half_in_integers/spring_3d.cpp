@@ -1,4 +1,4 @@
-// loses: Magnitude, HookeForce, ThirdLaw, Equivariance, ZeroLength, ShortSpring, NodeAcceleration, ElasticPendulum; misconception: zero or integer_division
+// loses: Magnitude, HookeForce, ThirdLaw, Equivariance, ZeroLength, ShortSpring, NodeAcceleration, ElasticPendulum; misconception: ignored or integer_division or zero
 // thought: 1/2 from the energy
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: Magnitude; misconception: constant_argument or missing_rest_length
+// loses: Magnitude; misconception: missing_factor
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {

@@ -1,4 +1,4 @@
-// loses: Magnitude; misconception: relative_deformation
+// loses: Magnitude; misconception: none
 // thought: strain times k, without a rest length the plain law
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: NodeAcceleration; misconception: missing_gravity
+// loses: NodeAcceleration; misconception: none
 // thought: empty list: nothing to do
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: ZeroLength, NodeAcceleration, ElasticPendulum; misconception: none
+// loses: ZeroLength, ShortSpring, NodeAcceleration, ElasticPendulum; misconception: none
 #include "spring_3d.h"
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) { return -k * ((xa - xb).norm() - L0); }
 const Vec3& longer(const Vec3& a, const Vec3& b) { return a.squaredNorm() > b.squaredNorm() ? a : b; }

@@ -1,4 +1,4 @@
-// loses: all; misconception: none
+// loses: all; misconception: stateful
 #include "spring_3d.h"
 
 // Right values, each one call late.

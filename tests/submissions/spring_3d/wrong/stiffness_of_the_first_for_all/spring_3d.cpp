@@ -1,4 +1,4 @@
-// loses: NodeAcceleration, ElasticPendulum; misconception: constant_argument
+// loses: NodeAcceleration, ElasticPendulum; misconception: first_for_all
 #include "spring_3d.h"
 
 namespace {

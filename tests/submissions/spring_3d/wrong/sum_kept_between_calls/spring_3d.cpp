@@ -1,4 +1,4 @@
-// loses: ZeroLength, NodeAcceleration, ElasticPendulum; misconception: stateful
+// loses: ZeroLength, ShortSpring, NodeAcceleration, ElasticPendulum; misconception: stateful
 #include "spring_3d.h"
 
 // Magnitud

@@ -1,4 +1,4 @@
-// loses: ZeroLength, NodeAcceleration, ElasticPendulum; misconception: never_written
+// loses: ZeroLength, ShortSpring, NodeAcceleration, ElasticPendulum; misconception: none
 #include "spring_3d.h"
 
 namespace {
