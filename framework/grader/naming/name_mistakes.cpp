@@ -108,7 +108,7 @@ class Namer {
 
   /// Right to some digits where it is right at all: single precision, a difference quotient, a rounded constant.
   Found nearlyRight(const std::string& function, const FunctionEvidence& evidence) const {
-    if (evidence.imprecise < fewestWrong || 2 * evidence.imprecise < evidence.wrong) return std::nullopt;
+    if (evidence.imprecise < fewestWrong || 3 * evidence.imprecise < evidence.calls) return std::nullopt;
     const int digits = static_cast<int>(-std::log10(evidence.worstNear));
     const std::string says = fmt::format("{} is right to about {} digits only", function, digits);
     if (const auto clue = singlePrecision(source_)) {
