@@ -31,6 +31,7 @@ void fill(MatrixRow& row, const GradedExercise& graded) {
     if (!verdict.graderFault.empty()) row.trouble = suite + ": " + verdict.graderFault;
     if (!verdict.passed()) row.lost.insert(suite);
     for (const NamedMistake& mistake : verdict.mistakes) row.named.insert(mistake.id);
+    if (verdict.outcome == Outcome::NeverWritten) row.named.insert("never_written");
     if (verdict.examples.empty()) continue;
     ++row.examples;
     row.examplesForPaper += isForPaper(verdict.examples.front()) ? 1 : 0;
