@@ -35,7 +35,6 @@ class Random {
   /// A rotation matrix, uniform over rotations.
   Mat3 rotation();
 
-
  private:
   double normal();
 
