@@ -1,4 +1,4 @@
-// loses: HookeForce, CrossedNodes, ThirdLaw, ZeroLength, ShortSpring, HangingNode, NodeBetween, Oscillator; misconception: none
+// loses: HookeForce, CrossedNodes, ThirdLaw, ZeroLength, ShortSpring, HangingNode, NodeBetween, Oscillator; misconception: never_written
 #include "spring_1d.h"
 double springForceOnA(double xa, double xb, double k, double L0) {
   bool coincident;

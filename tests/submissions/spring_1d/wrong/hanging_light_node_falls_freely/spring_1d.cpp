@@ -1,4 +1,4 @@
-// loses: HangingNode; misconception: threshold
+// loses: HangingNode; misconception: none
 // thought: avoid dividing by a tiny mass
 #include "spring_1d.h"
 

@@ -1,4 +1,4 @@
-// loses: ZeroLength; misconception: none
+// loses: ZeroLength; misconception: never_written
 #include "spring_1d.h"
 double springForceOnA(double xa, double xb, double k, double L0) {
   int sign;

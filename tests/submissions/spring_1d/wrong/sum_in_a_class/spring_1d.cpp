@@ -1,4 +1,4 @@
-// loses: NodeBetween, Oscillator; misconception: none
+// loses: NodeBetween, Oscillator; misconception: never_written
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

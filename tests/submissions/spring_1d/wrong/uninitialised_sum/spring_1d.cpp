@@ -1,4 +1,4 @@
-// loses: NodeBetween, Oscillator; misconception: none
+// loses: NodeBetween, Oscillator; misconception: never_written
 // adds to an uninitialised variable
 #include "spring_1d.h"
 

@@ -1,4 +1,4 @@
-// loses: HookeForce, ThirdLaw, Equivariance, ZeroLength; misconception: threshold
+// loses: HookeForce, ThirdLaw, Equivariance, ZeroLength; misconception: none
 // thought: the node is heavy
 #include "spring_3d.h"
 

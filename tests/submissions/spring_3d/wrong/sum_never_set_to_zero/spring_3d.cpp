@@ -1,4 +1,4 @@
-// loses: ZeroLength, ShortSpring, NodeAcceleration, ElasticPendulum; misconception: none
+// loses: ZeroLength, ShortSpring, NodeAcceleration, ElasticPendulum; misconception: never_written
 #include "spring_3d.h"
 
 namespace {

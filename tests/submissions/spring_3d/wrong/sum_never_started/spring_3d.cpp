@@ -1,4 +1,4 @@
-// loses: ZeroLength, ShortSpring, NodeAcceleration, ElasticPendulum; misconception: none
+// loses: ZeroLength, ShortSpring, NodeAcceleration, ElasticPendulum; misconception: never_written
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {

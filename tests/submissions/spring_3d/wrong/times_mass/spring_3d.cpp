@@ -1,4 +1,4 @@
-// loses: NodeAcceleration, ElasticPendulum; misconception: range
+// loses: NodeAcceleration, ElasticPendulum; misconception: none
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {

@@ -1,4 +1,4 @@
-// loses: NodeAcceleration, ZeroLength, ShortSpring, ElasticPendulum; misconception: none
+// loses: ZeroLength, ShortSpring, NodeAcceleration, ElasticPendulum; misconception: never_written
 // adds to an uninitialised vector
 #include "spring_3d.h"
 
