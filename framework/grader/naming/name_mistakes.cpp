@@ -24,8 +24,8 @@ class Namer {
     const FunctionEvidence& evidence = evidence_.at(function);
     if (!evidence.isStateful && evidence.wrong + evidence.imprecise < fewestWrong) return std::nullopt;
     if (evidence.isUnwritten) return std::nullopt;  // that is said, and its numbers are nobody's
-    for (const auto way : {&Namer::degenerate, &Namer::listed, &Namer::nearlyRight, &Namer::generic, &Namer::notANumber,
-                           &Namer::wholeNumbers, &Namer::partly}) {
+    for (const auto way : {&Namer::degenerate, &Namer::listed, &Namer::genericExactly, &Namer::wholeNumbers,
+                           &Namer::nearlyRight, &Namer::generic, &Namer::notANumber, &Namer::partly}) {
       if (auto named = (this->*way)(function, evidence)) return named;
     }
     return std::nullopt;
@@ -33,6 +33,16 @@ class Namer {
 
  private:
   using Found = std::optional<NamedMistake>;
+
+  /// Answers that are right to some digits, in a good part of all calls: elsewhere round-off may cost digits, too.
+  static bool isImprecise(const FunctionEvidence& evidence) {
+    return 5 * evidence.imprecise >= evidence.calls && 2 * evidence.wrong <= evidence.calls;
+  }
+
+  /// Where the answers are imprecise anyway, a mistake that agrees to six digits alone explains nothing.
+  static bool isSure(const Hypothesis& hypothesis, const FunctionEvidence& evidence) {
+    return hypothesis.isExact || !isImprecise(evidence);
+  }
 
   Found degenerate(const std::string& function, const FunctionEvidence& evidence) const {
     if (evidence.isStateful) {
@@ -74,7 +84,7 @@ class Namer {
     for (const Hypothesis& each : evidence.agreeing) {
       const bool isKnown = std::ranges::any_of(all, [&](const NamedMistake& known) { return known.id == each.id; });
       const Misconception* words = each.isListed ? statement(each.id, function) : nullptr;
-      if (isKnown || words == nullptr || !each.isExact) continue;
+      if (isKnown || words == nullptr || !isSure(each, evidence)) continue;
       const bool isOwn = words->function == function || wasWrong(words->function);
       all.push_back({each.id, isOwn ? words->function : function,
                      isOwn ? words->says : fmt::format("in {}, {}", function, words->says), words->hint});
@@ -86,11 +96,20 @@ class Namer {
     return named;
   }
 
+  Found genericExactly(const std::string& function, const FunctionEvidence& evidence) const {
+    return firstGeneric(function, evidence, [](const Hypothesis& each) { return each.isExact; });
+  }
+
   Found generic(const std::string& function, const FunctionEvidence& evidence) const {
+    return firstGeneric(function, evidence, [&](const Hypothesis& each) { return isSure(each, evidence); });
+  }
+
+  template <class Counts>
+  Found firstGeneric(const std::string& function, const FunctionEvidence& evidence, const Counts& counts) const {
     if (evidence.wrong < fewestWrong) return std::nullopt;
     const std::vector<Parameter> parameters = parametersOf(contract_, function);
     for (const Hypothesis& each : evidence.agreeing) {
-      const std::string says = each.isListed || !each.isExact ? "" : sentenceOf(each, function, parameters);
+      const std::string says = each.isListed || !counts(each) ? "" : sentenceOf(each, function, parameters);
       if (!says.empty()) return NamedMistake{each.id, function, says, ""};
     }
     return std::nullopt;
@@ -108,7 +127,7 @@ class Namer {
 
   /// Right to some digits where it is right at all: single precision, a difference quotient, a rounded constant.
   Found nearlyRight(const std::string& function, const FunctionEvidence& evidence) const {
-    if (evidence.imprecise < fewestWrong || 3 * evidence.imprecise < evidence.calls) return std::nullopt;
+    if (evidence.imprecise < fewestWrong || !isImprecise(evidence)) return std::nullopt;
     const int digits = static_cast<int>(-std::log10(evidence.worstNear));
     const std::string says = fmt::format("{} is right to about {} digits only", function, digits);
     if (const auto clue = singlePrecision(source_)) {

@@ -1,4 +1,4 @@
-// loses: ColumnAtRest; misconception: none
+// loses: ColumnAtRest; misconception: never_written
 #include "contact.h"
 
 namespace {

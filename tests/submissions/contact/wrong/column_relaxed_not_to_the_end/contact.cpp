@@ -1,4 +1,4 @@
-// loses: ColumnAtRest; misconception: none
+// loses: ColumnAtRest; misconception: difference_quotient
 // thought: move every node until it does not move any more; a thousand rounds are plenty
 #include "contact.h"
 

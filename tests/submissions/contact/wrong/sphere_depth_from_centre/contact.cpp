@@ -1,4 +1,4 @@
-// loses: SphereContact, SphereEdges, ContactLaws, Bounce; misconception: sphere_radius_forgotten
+// loses: SphereContact, Bounce; misconception: sphere_radius_forgotten
 #include "contact.h"
 
 Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {

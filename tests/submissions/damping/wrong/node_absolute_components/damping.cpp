@@ -1,4 +1,4 @@
-// loses: NodeDamping, NodeMotion; misconception: absolute_value
+// loses: NodeDamping, NodeMotion; misconception: always_negative
 // thought: minus the size, in each component
 #include "damping.h"
 

@@ -1,4 +1,4 @@
-// loses: NodeDamping, NodeMotion; misconception: missing_component
+// loses: NodeDamping, NodeMotion; misconception: none
 // thought: the fall is along z
 #include "damping.h"
 

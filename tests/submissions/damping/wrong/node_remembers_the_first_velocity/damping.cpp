@@ -1,4 +1,4 @@
-// loses: NodeDamping, NodeMotion; misconception: stateful
+// loses: NodeDamping, NodeMotion; misconception: none
 #include "damping.h"
 
 namespace {

@@ -1,4 +1,4 @@
-// loses: ShortSpring; misconception: threshold or small_threshold
+// loses: ShortSpring; misconception: none
 #include "damping.h"
 #include <limits>
 

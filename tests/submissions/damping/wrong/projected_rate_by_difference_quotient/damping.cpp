@@ -1,4 +1,4 @@
-// loses: ProjectedDamping, ShortSpring; misconception: difference_quotient
+// loses: ProjectedDamping, ShortSpring, ProjectedMotion; misconception: none
 // thought: length a microsecond later minus length now
 #include "damping.h"
 

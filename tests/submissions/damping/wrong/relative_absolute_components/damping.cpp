@@ -1,4 +1,4 @@
-// loses: RelativeDamping, PairLaws, RelativeMotion; misconception: absolute_value
+// loses: RelativeDamping, PairLaws, RelativeMotion; misconception: always_negative
 #include "damping.h"
 
 Vec3 nodeDamping(const Vec3& va, double d) {

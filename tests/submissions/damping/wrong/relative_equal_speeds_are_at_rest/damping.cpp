@@ -1,4 +1,4 @@
-// loses: RelativeDamping, RelativeMotion; misconception: none
+// loses: RelativeDamping; misconception: none
 // thought: equal speeds: nothing to damp
 #include "damping.h"
 

@@ -1,4 +1,4 @@
-// loses: EnergyInSpace, FiniteDifferences, CoincidentNodes, TinyLengths, StretchAndRelease; misconception: stateful
+// loses: EnergyInSpace, FiniteDifferences, StretchAndRelease; misconception: none
 // static, so that it is computed only once
 #include "energy_gradient.h"
 

@@ -1,4 +1,4 @@
-// loses: EnergyInSpace, FiniteDifferences, StretchAndRelease; misconception: constant_argument
+// loses: EnergyInSpace, FiniteDifferences, CoincidentNodes, StretchAndRelease; misconception: constant_argument
 // as in the example, L0 = 1 m
 #include "energy_gradient.h"
 

@@ -1,4 +1,4 @@
-// loses: EnergyInSpace, FiniteDifferences, StretchAndRelease; misconception: missing_rest_length
+// loses: EnergyInSpace, FiniteDifferences, CoincidentNodes, StretchAndRelease; misconception: missing_rest_length
 #include "energy_gradient.h"
 
 // Divide by the largest component before squaring, so that nothing under- or overflows.

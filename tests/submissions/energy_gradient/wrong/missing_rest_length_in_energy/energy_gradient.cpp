@@ -1,4 +1,4 @@
-// loses: EnergyInOneDimension, EnergyInSpace, FiniteDifferences, StretchAndRelease; misconception: missing_rest_length
+// loses: EnergyInOneDimension, EnergyInSpace, FiniteDifferences, CoincidentNodes, StretchAndRelease; misconception: missing_rest_length
 #include "energy_gradient.h"
 
 double springEnergy1d(const Vec2& x, double k, double) {

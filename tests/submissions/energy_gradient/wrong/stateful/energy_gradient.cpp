@@ -1,4 +1,4 @@
-// loses: all; misconception: none
+// loses: all; misconception: stateful
 #include "energy_gradient.h"
 
 #include <utility>

@@ -1,4 +1,4 @@
-// loses: TriangleForce, MinusTheGradient, NewtonsThirdLaw, Equivariance, FreeFlight; misconception: absolute_direction
+// loses: TriangleForce, MinusTheGradient, NewtonsThirdLaw, Equivariance, FreeFlight; misconception: none
 #include "triangle.h"
 
 // which nodes each spring joins

@@ -1,4 +1,4 @@
-// loses: TriangleForce, MinusTheGradient, NewtonsThirdLaw, Equivariance, CoincidentNodes, FreeFlight; misconception: overwrites
+// loses: TriangleForce, MinusTheGradient, NewtonsThirdLaw, Equivariance, CoincidentNodes, FreeFlight; misconception: none
 #include "triangle.h"
 
 #include <numeric>

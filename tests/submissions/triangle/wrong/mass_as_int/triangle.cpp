@@ -1,4 +1,4 @@
-// loses: MassMatrix; misconception: whole_numbers or integer_division
+// loses: MassMatrix; misconception: cut_result
 #include "triangle.h"
 
 #include <numeric>

@@ -1,4 +1,4 @@
-// loses: MassMatrix; misconception: none
+// loses: MassMatrix; misconception: never_written
 #include "triangle.h"
 
 namespace {
