@@ -22,6 +22,9 @@ std::string size(long rows, long cols) {
   return cols == 1 ? fmt::format("{} components", rows) : fmt::format("{} x {} entries", rows, cols);
 }
 
+/// A NaN has no sign that a student should read.
+std::string shown(double number) { return std::isnan(number) ? "NaN" : fmt::format("{:.10g}", number); }
+
 std::string withUnit(const std::string& number, const std::string& unit) {
   return unit.empty() ? number : number + ' ' + unit;
 }
@@ -52,10 +55,10 @@ MismatchWords wordsOf(const Mismatch& mismatch) {
   if (mismatch.isStatement()) return {mismatch.says, "", "", ""};
   if (mismatch.isSize())
     return {what(mismatch), size(mismatch.gotRows, mismatch.gotCols), size(mismatch.rows, mismatch.cols), ""};
-  const std::string expected = withUnit(fmt::format("{:.10g}", mismatch.expected), mismatch.unit);
+  const std::string expected = withUnit(shown(mismatch.expected), mismatch.unit);
   if (!std::isfinite(mismatch.got))
-    return {what(mismatch), fmt::format("{:.10g}, which is not a finite number", mismatch.got), expected, ""};
-  return {what(mismatch), withUnit(fmt::format("{:.10g}", mismatch.got), mismatch.unit), expected,
+    return {what(mismatch), shown(mismatch.got) + ", which is not a finite number", expected, ""};
+  return {what(mismatch), withUnit(shown(mismatch.got), mismatch.unit), expected,
           fmt::format("difference {:.3g}, tolerance {:.3g}", mismatch.got - mismatch.expected, mismatch.tolerance)};
 }
 

@@ -37,7 +37,7 @@ TEST(ExpectNumber, RefusesWhatIsNotFiniteWhateverTheTolerance) {
 
 TEST(ExpectNumber, SaysWhatCameAndWhatShouldHave) {
   EXPECT_EQ(numberMessage(-2.0, 2.0, 1e-9), "f(x): got -2, expected 2 (difference -4, tolerance 1e-09)");
-  EXPECT_EQ(numberMessage(nan, 2.0, 1e-9), "f(x): got nan, which is not a finite number; expected 2");
+  EXPECT_EQ(numberMessage(nan, 2.0, 1e-9), "f(x): got NaN, which is not a finite number; expected 2");
 }
 
 TEST(ExpectVector, RefusesAnotherSize) {
@@ -87,7 +87,7 @@ TEST(ExpectLabel, StandsInPlaceOfTheSource) {
     EXPECT_EQ(vectorMessage(Vec3(1, 2, 3), Vec3(1, 2, 4), 1e-3),
               "velocity, component 2: got 3, expected 4 (difference -1, tolerance 0.001)");
   }
-  EXPECT_EQ(numberMessage(nan, 1.0, 1e-3), "height at t = 0.35 s: got nan, which is not a finite number; expected 1 m");
+  EXPECT_EQ(numberMessage(nan, 1.0, 1e-3), "height at t = 0.35 s: got NaN, which is not a finite number; expected 1 m");
 }
 
 TEST(ExpectLabel, EndsWithItsScope) {

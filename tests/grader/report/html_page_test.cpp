@@ -54,7 +54,7 @@ TEST(HtmlPage, ShowsGotAndExpectedFromTheNumbersWhateverTheNamesSay) {
   m.label = "";
   m.got = std::numeric_limits<double>::quiet_NaN();
   page = body(graded);
-  EXPECT_TRUE(contains(page, "<dd class=\"got\">nan, which is not a finite number</dd>"));
+  EXPECT_TRUE(contains(page, "<dd class=\"got\">NaN, which is not a finite number</dd>"));
   m.gotRows = 3;
   page = body(graded);
   EXPECT_TRUE(contains(page, "<dd class=\"got\">3 components</dd>"));
