@@ -152,7 +152,7 @@ TEST(ShowFailure, LeavesTheSourceOutOnlyUnderItsCall) {
   failure.mismatches[0].ofCall = true;
   EXPECT_EQ(showFailure(failure), "    twice(1);\n    got 3, expected 2 (difference 1, tolerance 0.5)\n");
   failure.call = "";
-  EXPECT_EQ(showFailure(failure), "    twice(x): got 3, expected 2 (difference 1, tolerance 0.5)\n");
+  EXPECT_EQ(showFailure(failure), "    twice: got 3, expected 2 (difference 1, tolerance 0.5)\n");
 }
 
 TEST(CountTests, TellsWhatWasNotRun) {
