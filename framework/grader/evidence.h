@@ -5,6 +5,7 @@
 
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace muelle::grader {
@@ -14,7 +15,10 @@ struct Leaf {
   int argument = 0;    ///< which, from 0
   int field = -1;      ///< of a struct, or of every struct of a list; -1: there is none
   int component = -1;  ///< of a vector; -1: all of it
-  auto operator<=>(const Leaf&) const = default;
+  bool operator==(const Leaf&) const = default;
+  bool operator<(const Leaf& other) const {
+    return std::tie(argument, field, component) < std::tie(other.argument, other.field, other.component);
+  }
 };
 
 /// A mistake that a function may hold: one that the manifest lists, or one that any function may have.
@@ -24,14 +28,15 @@ struct Hypothesis {
   std::vector<Leaf> of;  ///< the arguments that it is about, if any
   double value = 0.0;    ///< the constant that stands in an argument's place, the component that is wrong
   bool isExact = true;   ///< it gives the submission's numbers to nine digits, not to six
-  auto operator<=>(const Hypothesis&) const = default;
+  bool operator==(const Hypothesis&) const = default;
 };
 
 /// Something of a call's arguments that a mistake may depend on: a number, a length, a distance, a count.
 struct Feature {
   std::string kind;      ///< "value", "length", "distance", "difference", "count", "least", "most"
   std::vector<Leaf> of;  ///< one or two
-  auto operator<=>(const Feature&) const = default;
+  bool operator==(const Feature&) const = default;
+  bool operator<(const Feature& other) const { return std::tie(kind, of) < std::tie(other.kind, other.of); }
 };
 
 /// Between which values of a feature the answers were right, and between which they were wrong.
