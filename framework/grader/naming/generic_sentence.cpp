@@ -14,9 +14,9 @@ namespace {
 
 constexpr const char* axes = "xyz";
 
-std::string component(int index, std::size_t size = 3) {
-  if (size <= 3 && index >= 0 && index < 3) return std::string(1, axes[index]);
-  return fmt::format("component {}", index);
+/// "z"; of stacked nodes "component 5".
+std::string component(int index) {
+  return index < 3 ? std::string(1, axes[index]) : fmt::format("component {}", index);
 }
 
 /// One sentence a mistake; {f} the function, {p} and {q} its arguments, {v} the constant or component.

@@ -122,15 +122,16 @@ class GivenFunction;
 template <class Result, class... Args>
 class GivenFunction<Result(Args...)> {
  public:
-  constexpr GivenFunction(const char* name, Result (*oracle)(Args...)) : name_(name), oracle_(oracle) {}
+  constexpr GivenFunction(const char* name, Result (*oracle)(Args...)) : name_(name), own_(name), oracle_(oracle) {}
 
   Result operator()(Args... args) const {
-    if (isOwnLower(name_)) return RemoteFunction<Result(Args...)>(name_)(std::forward<Args>(args)...);
+    if (isOwnLower(name_)) return own_(std::forward<Args>(args)...);
     return oracle_(std::forward<Args>(args)...);
   }
 
  private:
   const char* name_;
+  RemoteFunction<Result(Args...)> own_;
   Result (*oracle_)(Args...);
 };
 

@@ -48,8 +48,7 @@ class Gatherer {
   explicit Gatherer(const CallHistoryBase& history) : history_(history) {
     for (std::size_t call = 0; call < history.calls(); ++call) count(call);
     found_.isConstant = isConstant();
-    addListed();
-    for (const Prediction& each : genericMistakes(history)) addIfAgrees(each.hypothesis, each.numbers);
+    for (const Prediction& each : predictionsOf(history)) addIfAgrees(each);
   }
 
   FunctionEvidence take() { return std::move(found_); }
@@ -85,20 +84,11 @@ class Gatherer {
     return differs;
   }
 
-  /// Several may have one id: then one that agrees is enough.
-  void addListed() {
-    const std::vector<std::string> ids = history_.mistakes();
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      addIfAgrees({ids[i], true, {}, static_cast<double>(i)},
-                  [&](std::size_t call) { return history_.listed(i, call); });
-    }
-  }
-
-  template <class Predicted>
-  void addIfAgrees(Hypothesis hypothesis, const Predicted& predicted) {
+  void addIfAgrees(const Prediction& prediction) {
+    Hypothesis hypothesis = prediction.hypothesis;
     for (std::size_t call = 0; call < history_.calls(); ++call) {
       const Numbers& got = history_.outcome(call);
-      const Numbers numbers = predicted(call);
+      const Numbers numbers = prediction.numbers(call);
       const double floor = history_.roundOff(call);
       if (!agree(got, numbers, floor)) return;
       const bool isExact = got == numbers || hasNoNumber(got) || deviationOf(got, numbers, floor) <= precise;

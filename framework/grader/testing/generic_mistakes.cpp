@@ -19,6 +19,7 @@ constexpr double usualConstants[] = {9.81, 9.8, 10.0, 2.0, 0.5, -1.0, 100.0, 100
 class Builder {
  public:
   explicit Builder(const CallHistoryBase& history) : history_(history) {
+    addListed();
     addResults(history.oracle(0).size());
     for (const ArgumentItem& item : history.items(0)) addItem(item);
     for (int j = 0; j < history.argumentCount(); ++j) {
@@ -31,6 +32,15 @@ class Builder {
  private:
   void add(Hypothesis hypothesis, std::function<Numbers(std::size_t)> numbers) {
     predictions_.push_back({std::move(hypothesis), std::move(numbers)});
+  }
+
+  /// Several may have one id: each is a prediction of its own.
+  void addListed() {
+    const std::vector<std::string> ids = history_.mistakes();
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      add({ids[i], true, {}, static_cast<double>(i)},
+          [&history = history_, i](std::size_t call) { return history.listed(i, call); });
+    }
   }
 
   /// Each number of the result changed.
@@ -148,6 +158,6 @@ class Builder {
 
 }  // namespace
 
-std::vector<Prediction> genericMistakes(const CallHistoryBase& history) { return Builder(history).take(); }
+std::vector<Prediction> predictionsOf(const CallHistoryBase& history) { return Builder(history).take(); }
 
 }  // namespace muelle::grader

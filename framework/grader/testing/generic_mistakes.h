@@ -26,7 +26,8 @@ struct Prediction {
   std::function<std::vector<double>(std::size_t call)> numbers;
 };
 
-/// The mistakes that the function of a history may hold. The history outlives them.
-std::vector<Prediction> genericMistakes(const CallHistoryBase& history);
+/// The mistakes that the function of a history may hold, those that its exercise lists first. The history outlives
+/// them.
+std::vector<Prediction> predictionsOf(const CallHistoryBase& history);
 
 }  // namespace muelle::grader

@@ -45,10 +45,7 @@ class Shrinker {
     if (!first) return std::nullopt;
     base_ = *first;
     mustBeVisible_ = isVisible(base_);
-    for (const Prediction& each : genericMistakes(history_)) remember(each.numbers);
-    for (std::size_t i = 0; i < history_.mistakes().size(); ++i) {
-      remember([this, i](std::size_t call) { return history_.listed(i, call); });
-    }
+    for (const Prediction& each : predictionsOf(history_)) remember(each.numbers);
     for (int pass = 0; pass < mostPasses; ++pass) {
       const std::size_t before = base_;
       shrinkAll();

@@ -3,6 +3,7 @@
 #include "sample.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <array>
 #include <random>
 
@@ -38,6 +39,13 @@ Manifest sampleExercise(std::size_t index) {
   return manifest;
 }
 
+/// The mistake as a run of the grader leaves it: with its words, where the manifest has some.
+NamedMistake named(const std::string& id, const Manifest& manifest) {
+  const auto known = std::ranges::find(manifest.misconceptions, id, &Misconception::id);
+  if (known == manifest.misconceptions.end()) return {id, "springForce", "", ""};
+  return {id, known->function, known->says, known->hint};
+}
+
 /// One student's way through the course; later exercises are harder.
 class Student {
  public:
@@ -65,7 +73,7 @@ class Student {
     const int passed = part() < chance + 0.1 ? 4 : static_cast<int>(4.0 * part());
     Verdict judged = verdict(criterion.suite, passed, 4 - passed);
     judged.topic = exercise.manifest.topic;
-    if (criterion.suite == "HookeForce" && passed < 4) judged.mistakes = {{"wrong_sign", "springForce", "", ""}};
+    if (criterion.suite == "HookeForce" && passed < 4) judged.mistakes = {named("wrong_sign", exercise.manifest)};
     exercise.verdicts[criterion.suite] = judged;
   }
 
@@ -103,7 +111,8 @@ GradedClass classOfOneExercise(std::vector<ClassRow> rows) {
 }
 
 ClassRow withMistake(ClassRow row, const std::string& id) {
-  row.graded.exercises[0].verdicts.at("HookeForce").mistakes.push_back({id, "springForce", "", ""});
+  GradedExercise& exercise = row.graded.exercises[0];
+  exercise.verdicts.at("HookeForce").mistakes.push_back(named(id, exercise.manifest));
   return row;
 }
 

@@ -4,6 +4,7 @@
 #include "course/testing/random.h"
 #include "grader/testing/ladders.h"
 #include "grader/testing/of_use.h"
+#include "grader/testing/plain_numbers.h"
 #include "harness/function_system.h"
 #include "harness/march.h"
 #include "harness/symplectic_euler.h"
@@ -25,7 +26,9 @@ using muelle::Trajectory;
 using muelle::VecX;
 using muelle::grader::exactLengthLadder;
 using muelle::grader::lengthLadder;
+using muelle::grader::someTurn;
 using muelle::grader::stiffnessLadder;
+using muelle::grader::tidy;
 
 namespace {
 
@@ -58,13 +61,6 @@ Vec6 stacked(const Vec3& xa, const Vec3& xb) {
   Vec6 x;
   x << xa, xb;
   return x;
-}
-
-/// Of few digits, as a student may type it: 1.37.
-double tidy(double number, double digits = 100) { return std::round(number * digits) / digits; }
-
-Vec3 tidy(const Vec3& vector, double digits = 100) {
-  return {tidy(vector[0], digits), tidy(vector[1], digits), tidy(vector[2], digits)};
 }
 
 /// A stiffness, from 5 to 2000 N/m.
@@ -161,21 +157,6 @@ std::vector<Case> nearlyRelaxedSprings(double least) {
     }
   }
   return springs;
-}
-
-/// Rotations whose entries have two digits.
-Mat3 someTurn(int number) {
-  Mat3 aboutX, aboutZ;
-  aboutX << 1, 0, 0, 0, 0.6, -0.8, 0, 0.8, 0.6;
-  aboutZ << 0.8, 0.6, 0, -0.6, 0.8, 0, 0, 0, 1;
-  switch (number % 3) {
-    case 0:
-      return aboutX * aboutZ;
-    case 1:
-      return aboutZ * aboutX;
-    default:
-      return aboutX.transpose() * aboutZ * aboutX;
-  }
 }
 
 Vec6 turned(const Vec6& x, const Mat3& rotation) { return stacked(rotation * x.head<3>(), rotation * x.tail<3>()); }

@@ -4,6 +4,7 @@
 #include "course/testing/random.h"
 #include "grader/testing/ladders.h"
 #include "grader/testing/of_use.h"
+#include "grader/testing/plain_numbers.h"
 #include "harness/function_system.h"
 #include "harness/march.h"
 #include "harness/symplectic_euler.h"
@@ -25,7 +26,9 @@ using muelle::Trajectory;
 using muelle::VecX;
 using muelle::grader::exactLengthLadder;
 using muelle::grader::lengthLadder;
+using muelle::grader::someTurn;
 using muelle::grader::stiffnessLadder;
+using muelle::grader::tidy;
 
 namespace {
 
@@ -68,13 +71,6 @@ Vec9 stacked(const Vec3& x0, const Vec3& x1, const Vec3& x2) {
   return x;
 }
 
-/// Of few digits, as a student may type it: 1.37.
-double tidy(double number, double digits = 100) { return std::round(number * digits) / digits; }
-
-Vec3 tidy(const Vec3& vector, double digits = 100) {
-  return {tidy(vector[0], digits), tidy(vector[1], digits), tidy(vector[2], digits)};
-}
-
 Vec9 moved(const Vec9& x, const Mat3& rotation, const Vec3& shift) {
   Vec9 there;
   for (int i = 0; i < 3; ++i) there.segment<3>(3 * i) = tidy(Vec3(rotation * x.segment<3>(3 * i) + shift), 1e5);
@@ -84,21 +80,6 @@ Vec9 moved(const Vec9& x, const Mat3& rotation, const Vec3& shift) {
 /// Forces and nothing else are turned to the last digit.
 Vec9 turned(const Vec9& F, const Mat3& rotation) {
   return stacked(rotation * F.segment<3>(0), rotation * F.segment<3>(3), rotation * F.segment<3>(6));
-}
-
-/// Rotations whose entries have two digits.
-Mat3 someTurn(int number) {
-  Mat3 aboutX, aboutZ;
-  aboutX << 1, 0, 0, 0, 0.6, -0.8, 0, 0.8, 0.6;
-  aboutZ << 0.8, 0.6, 0, -0.6, 0.8, 0, 0, 0, 1;
-  switch (number % 3) {
-    case 0:
-      return aboutX * aboutZ;
-    case 1:
-      return aboutZ * aboutX;
-    default:
-      return aboutX.transpose() * aboutZ * aboutX;
-  }
 }
 
 /// Three stiffnesses, no two of which are within a tenth of each other.
