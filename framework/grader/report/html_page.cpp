@@ -83,18 +83,18 @@ std::string failedTests(const std::vector<Explanation::FailedTest>& tests) {
                                             rest);
 }
 
-/// What an exercise's block of things to mend has not said already.
+/// Where the exercise's block of things to mend has said the cause, the rest is folded.
 std::string why(const Explanation& explanation, const std::string& printed) {
-  std::string html = paragraph("soft", explanation.instead);
-  for (const auto& mistake : explanation.mistakes) html += paragraph("cause", mistake.says);
-  html += paragraph("cause", explanation.neverWritten) + paragraph("cause", explanation.fault);
-  html += paragraph("hint", explanation.hint);
+  std::string causes = paragraph("cause", explanation.neverWritten) + paragraph("cause", explanation.fault);
+  for (const auto& mistake : explanation.mistakes) causes += paragraph("cause", mistake.says);
+  std::string rest = paragraph("soft", explanation.instead) + paragraph("hint", explanation.hint);
   if (explanation.mistakes.empty()) {
-    for (const std::string& example : explanation.examples) html += paragraph("example", example);
+    for (const std::string& example : explanation.examples) rest += paragraph("example", example);
   }
-  html += failedTests(explanation.tests);
-  if (!printed.empty()) html += folded("What your code printed", fmt::format("<pre>{}</pre>\n", escapeHtml(printed)));
-  return html.empty() ? "" : "<div class=\"why\">\n" + html + "</div>\n";
+  rest += failedTests(explanation.tests);
+  if (!printed.empty()) rest += folded("What your code printed", fmt::format("<pre>{}</pre>\n", escapeHtml(printed)));
+  if (!causes.empty()) rest = folded("explained above; the numbers", causes + rest);
+  return rest.empty() ? "" : "<div class=\"why\">\n" + rest + "</div>\n";
 }
 
 std::string criterionRow(const Criterion& criterion, const GradedExercise& exercise) {
@@ -107,18 +107,25 @@ std::string criterionRow(const Criterion& criterion, const GradedExercise& exerc
                      built ? why(explanation, shownOutput(criterion, exercise)) : "");
 }
 
-/// Those that are lost first, then the passed ones, folded into one line unless nothing is lost.
-std::string criteriaRows(const GradedExercise& exercise) {
-  std::string lost, passed;
-  long long passedCount = 0;
+/// Those that are lost.
+std::string lostRows(const GradedExercise& exercise) {
+  std::string rows;
   for (const Criterion& criterion : exercise.manifest.criteria) {
-    const bool hasPassed = explain(criterion, exercise).state == State::Passed;
-    (hasPassed ? passed : lost) += criterionRow(criterion, exercise);
-    passedCount += hasPassed ? 1 : 0;
+    if (explain(criterion, exercise).state != State::Passed) rows += criterionRow(criterion, exercise);
   }
-  if (lost.empty()) return passed;
-  return lost +
-         folded(fmt::format("\u2713 {} passed", counted(passedCount, "criterion", "criteria")), passed, "passed");
+  return rows;
+}
+
+/// Those that passed, folded into one line.
+std::string passedRows(const GradedExercise& exercise) {
+  std::string rows;
+  long long count = 0;
+  for (const Criterion& criterion : exercise.manifest.criteria) {
+    if (explain(criterion, exercise).state != State::Passed) continue;
+    rows += criterionRow(criterion, exercise);
+    ++count;
+  }
+  return folded(fmt::format("\u2713 {} passed", counted(count, "criterion", "criteria")), rows, "passed");
 }
 
 std::string mending(const Mending& mending) {
@@ -170,7 +177,7 @@ std::string exerciseSection(const GradedExercise& exercise) {
       escapeHtml(exercise.manifest.topic), ours ? "part" : classOf(points, most), escapeHtml(exercise.manifest.title),
       pointsOf(showScore(exercise), most, " / "), bar(points, most));
   if (!exercise.note.empty()) html += "<div class=\"block\">\n" + paragraph("soft", exercise.note) + "</div>\n";
-  html += buildBlock(exercise) + mendingBlock(exercise) + criteriaRows(exercise) + curves(exercise);
+  html += buildBlock(exercise) + mendingBlock(exercise) + lostRows(exercise) + passedRows(exercise) + curves(exercise);
   if (exercise.seed != 0) html += "<div class=\"block\">\n" + paragraph("soft", seedSentence(exercise)) + "</div>\n";
   return html + "</section>\n";
 }
@@ -196,14 +203,23 @@ std::string pageHeader(const GradedSubmission& graded) {
   return html;
 }
 
+/// Under the exercise's line: what to mend, so that the first screen says it.
+std::string toMend(const GradedExercise& exercise) {
+  std::string items;
+  for (const std::string& line : firstLines(exercise)) items += fmt::format("<li>{}</li>\n", escapeHtml(line));
+  return items.empty() ? "" : "<ul>\n" + items + "</ul>\n";
+}
+
 std::string overview(const GradedSubmission& graded) {
   std::string html = "<nav class=\"overview card\">\n";
   for (const GradedExercise& exercise : graded.exercises) {
     const double points = score(exercise), most = maxScore(exercise);
-    html +=
-        fmt::format("<a class=\"{}\" href=\"#{}\"><span>{}</span>{}<span class=\"points\"><b>{}</b> / {}</span></a>\n",
-                    hasGraderFault(exercise) ? "part" : classOf(points, most), escapeHtml(exercise.manifest.topic),
-                    escapeHtml(exercise.manifest.title), bar(points, most), showScore(exercise), showPoints(most));
+    html += fmt::format(
+        "<div><a class=\"{}\" href=\"#{}\"><span>{}</span>{}<span class=\"points\"><b>{}</b> / "
+        "{}</span></a>\n{}</div>\n",
+        hasGraderFault(exercise) ? "part" : classOf(points, most), escapeHtml(exercise.manifest.topic),
+        escapeHtml(exercise.manifest.title), bar(points, most), showScore(exercise), showPoints(most),
+        toMend(exercise));
   }
   return html + "</nav>\n";
 }

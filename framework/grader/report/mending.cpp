@@ -1,5 +1,7 @@
 #include "grader/report/mending.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 
 namespace muelle::grader {
@@ -39,8 +41,41 @@ class Mendings {
   std::vector<Mending> all_;
 };
 
+bool hasCause(const Explanation& explanation) {
+  return !explanation.mistakes.empty() || !explanation.fault.empty() || !explanation.neverWritten.empty();
+}
+
+/// The criteria that do not pass, and nothing says why.
+std::vector<std::string> withoutCause(const GradedExercise& exercise) {
+  std::vector<std::string> names;
+  for (const Criterion& criterion : exercise.manifest.criteria) {
+    const Explanation explanation = explain(criterion, exercise);
+    const bool isLost =
+        explanation.state == Explanation::State::Failed || explanation.state == Explanation::State::Partial;
+    if (isLost && !hasCause(explanation)) names.push_back(criterion.name);
+  }
+  return names;
+}
+
 }  // namespace
 
 std::vector<Mending> mendingsOf(const GradedExercise& exercise) { return Mendings(exercise).take(); }
+
+std::vector<std::string> firstLines(const GradedExercise& exercise) {
+  constexpr std::size_t most = 3;
+  const std::vector<Criterion>& criteria = exercise.manifest.criteria;
+  if (exercise.build.status != BuildOutcome::Status::Built) {
+    return criteria.empty() ? std::vector<std::string>{} : std::vector{explain(criteria.front(), exercise).instead};
+  }
+  std::vector<std::string> lines;
+  for (const Mending& each : mendingsOf(exercise)) lines.push_back(each.says);
+  if (lines.size() > most) {
+    lines.resize(most);
+    lines.emplace_back("and more, see below");
+  }
+  const std::vector<std::string> names = withoutCause(exercise);
+  if (!names.empty()) lines.push_back(fmt::format("not right yet: {}", fmt::join(names, "; ")));
+  return lines;
+}
 
 }  // namespace muelle::grader

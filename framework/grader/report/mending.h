@@ -20,4 +20,8 @@ struct Mending {
 /// explained by nothing are in none.
 std::vector<Mending> mendingsOf(const GradedExercise& exercise);
 
+/// What a student reads of an exercise before anything else, a few lines at most: why it was not graded, or the
+/// commonest things to mend, or the criteria that do not pass when nothing else is known. None when all is well.
+std::vector<std::string> firstLines(const GradedExercise& exercise);
+
 }  // namespace muelle::grader

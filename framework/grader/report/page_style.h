@@ -43,7 +43,8 @@ a:hover { color: var(--accent); text-decoration: underline; }
 
 .overview { padding: .35rem 1.25rem; margin-bottom: 1.5rem; }
 .overview a { display: grid; grid-template-columns: 1fr 12rem 6rem; gap: 1.25rem; align-items: center; padding: .5rem 0; }
-.overview a + a { border-top: 1px solid var(--line); }
+.overview div + div { border-top: 1px solid var(--line); }
+.overview ul { margin: 0 0 .5rem; font-size: .9rem; }
 
 .exercise { margin-top: 2rem; overflow: hidden; }
 .exercise > header { padding: 1.1rem 1.25rem; display: grid; grid-template-columns: 1fr auto; gap: .1rem 1.5rem;
@@ -104,10 +105,23 @@ footer h2 { font-size: 1rem; }
   :root { --paper: #fff; --card: #fff; --ink: #000; --soft: #444; --line: #ccc; --code: #fff; --accent: #1d4f87;
     --good: #146240; --part: #7a5200; --bad: #962b22; --good-wash: #fff; --part-wash: #fff; --bad-wash: #fff;
     --track: #ddd; }
-  body { font-size: 11pt; -webkit-print-color-adjust: exact; print-color-adjust: exact; }
+  @page { margin: 14mm 13mm; }
+  :root { font-size: 8.5pt; }
+  body { font-size: 8.5pt; line-height: 1.35; -webkit-print-color-adjust: exact; print-color-adjust: exact; }
   main { max-width: none; padding: 0; }
-  .criterion, .mistake, .test, .curves img { break-inside: avoid; }
-  .exercise > header { break-after: avoid; }
+  .card { border: 0; border-radius: 0; }
+  .total .points b { font-size: 1.8rem; }
+  .total, .overview { margin-bottom: .5rem; }
+  .overview { padding: 0; } .overview a { padding: .15rem 0; }
+  .exercise { margin-top: 1rem; border-top: 2px solid var(--line); }
+  .exercise > header, .block { padding: .4rem 0; }
+  .criterion { padding: .2rem 0; } .mark { width: 1.2rem; height: 1.2rem; }
+  .block, .mend, .why, .curves { gap: .4rem; }
+  .mistake, .fault, .values { padding: .2rem .6rem; }
+  .curves { grid-template-columns: 1fr 1fr; align-items: start; }
+  details:not([open]):not(.passed) { display: none; } /* of a closed fold only its title would be printed */
+  .mistake, .fault, .curves img { break-inside: avoid; }
+  .exercise > header, h3, .criterion > h3 { break-after: avoid; }
 }
 )css";
 
