@@ -41,6 +41,27 @@ TEST(HtmlPage, PutsTheMistakeBeforeThePropertyBeforeTheValues) {
   EXPECT_NE(got, std::string::npos);
 }
 
+TEST(HtmlPage, SaysWhatToMendAboveTheFirstExercise) {
+  const std::string page = body(sampleSubmission());
+  const std::string overview = page.substr(0, page.find("<section class=\"exercise"));
+  for (const char* line :
+       {"right size and the wrong sign", "damping.cpp was not handed in", "contact.cpp does not compile: 1 error"})
+    EXPECT_TRUE(contains(overview, line)) << line;
+  GradedSubmission unexplained = sampleSubmission();
+  unexplained.exercises[1].verdicts.at("HookeForce").mistakes.clear();
+  EXPECT_TRUE(contains(body(unexplained), "<li>not right yet: Hooke&#39;s force on both nodes"));
+}
+
+TEST(HtmlPage, FoldsWhatIsExplainedAboveAndShowsWhatIsNot) {
+  GradedSubmission graded = sampleSubmission();
+  const std::string fold = "explained above; the numbers</summary>\n<p class=\"cause\">Your force has the right size";
+  EXPECT_TRUE(contains(body(graded), fold));
+  graded.exercises[1].verdicts.at("HookeForce").mistakes.clear();
+  const std::string page = body(graded);
+  EXPECT_FALSE(contains(page, fold));
+  EXPECT_TRUE(contains(page, "obeys law number 0"));
+}
+
 TEST(HtmlPage, ShowsGotAndExpectedFromTheNumbersWhateverTheNamesSay) {
   GradedSubmission graded = sampleSubmission();
   Mismatch& m = graded.exercises[1].verdicts.at("HookeForce").tests[1].mismatches[0];
