@@ -6,8 +6,9 @@
 /// force). The depth is how far inside the node is; n is the outward unit normal; v_n = v . n is the speed at which the
 /// node leaves. All numbers are in SI units; z points up.
 ///
-/// All of this is computed with double, to round-off. No number here is too small to count: a depth may be 1e-30 m, a
-/// distance from a centre and a speed along a surface 1e-100.
+/// All of this is computed with double, to round-off: subtract positions first, then nothing else cancels. No number
+/// here is too small to count: a depth may be 1e-30 m below a plane far from the origin as well as through it, a
+/// distance from a centre 1e-100 m, and a speed along a surface whose normal is an axis 1e-100 m/s.
 ///
 /// Not passed: a normal that is not of length 1, numbers outside the ranges below, and numbers that are not finite.
 
@@ -19,7 +20,7 @@ MUELLE_RANGE(k, 1e-3, 1e9)       // stiffness of an obstacle and of a spring [N/
 MUELLE_RANGE(kPlane, 1e-3, 1e9)  // stiffness of the plane under a column [N/m]
 MUELLE_RANGE(d, 0, 1e6)          // contact damping [N s/m]
 MUELLE_RANGE(R, 1e-3, 1e3)       // radius of a sphere [m]
-MUELLE_RANGE(m, 1, 40)           // nodes in a column; each mass is from 1e-3 to 1e3 kg
+MUELLE_RANGE(m, 1, 40)           // how many nodes a column has; each mass is from 1e-3 to 1e3 kg
 MUELLE_RANGE(L0, 0, 100)         // rest length of a column's springs [m]
 MUELLE_RANGE(g, 0, 30)           // gravity [m/s^2]
 MUELLE_RANGE(N, 0, 1e6)          // normal force [N]
@@ -65,8 +66,9 @@ std::vector<double> columnAtRest(const std::vector<double>& m, double k, double 
 /// With the tangential velocity v_t = v - (v . n) n, the force is -min(mu N, c |v_t|) v_t / |v_t|, and zero when v_t is
 /// zero, whatever the other numbers.
 /// \param v velocity of the node [m/s]   \param n unit normal of the surface   \param N normal force [N], N >= 0
-/// \param mu friction coefficient, mu >= 0   \param c slope at rest [N s/m]: how fast the force grows with speed, c >=
-/// 0 \return force on the node [N]
+/// \param mu friction coefficient, mu >= 0
+/// \param c slope at rest [N s/m]: how fast the force grows with speed, c >= 0
+/// \return force on the node [N]
 Vec3 frictionForce(const Vec3& v, const Vec3& n, double N, double mu, double c);
 
 MUELLE_FUNCTIONS(planeContact, sphereContact, columnAtRest, frictionForce)

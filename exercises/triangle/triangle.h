@@ -11,9 +11,8 @@
 /// SI units throughout: positions [m], masses [kg], stiffness [N/m], rest length [m], energy [J], force [N].
 ///
 /// What holds for every function below:
-///  - masses are from 1e-6 to 1e6 kg, stiffnesses from 1e-3 to 1e9 N/m, rest lengths from 0 to 1000 m, a coordinate is
-///  at
-///    most 1000 m in size. Nothing else is passed, so nothing else needs a check.
+///  - masses are from 1e-6 to 1e6 kg, stiffnesses from 1e-3 to 1e9 N/m, rest lengths from 0 to 1000 m, a
+///    coordinate is at most 1000 m in size. Nothing else is passed, so nothing else needs a check.
 ///  - Numbers are double, and derivatives are formulas: exact to round-off.
 ///  - Where two nodes coincide their spring (L = 0) has no direction: it contributes no force, never NaN, and the two
 ///    other springs act as usual. Its energy is not zero: it is that of a spring compressed to nothing.

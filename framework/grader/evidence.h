@@ -39,7 +39,7 @@ struct Feature {
   bool operator<(const Feature& other) const { return std::tie(kind, of) < std::tie(other.kind, other.of); }
 };
 
-/// Between which values of a feature the answers were right, and between which they were wrong.
+/// Between which values of a feature the answers were right in plain calls, and between which they were wrong.
 struct FeatureRange {
   double fewestRight, mostRight, fewestWrong, mostWrong;
   bool operator==(const FeatureRange&) const = default;
@@ -58,6 +58,9 @@ struct FunctionEvidence {
   bool isStateful = false;   ///< another answer to the same question
   bool isConstant = false;   ///< one answer to all calls, where the oracle has several
   std::vector<Hypothesis> agreeing;  ///< those that give the submission's answer in every call
+  /// Right calls in which no number, length or distance is 0: where one is, many a mistake does not show. The right
+  /// calls of `features` are these.
+  long plainRight = 0;
   std::map<Feature, FeatureRange> features;
   bool operator==(const FunctionEvidence&) const = default;
 };

@@ -44,6 +44,7 @@ json toJson(const FunctionEvidence& evidence) {
           {"not_a_number", evidence.notANumber},
           {"zero", evidence.zero},
           {"wrong_zero", evidence.wrongZero},
+          {"plain_right", evidence.plainRight},
           {"stateful", evidence.isStateful},
           {"constant", evidence.isConstant},
           {"agreeing", agreeing},
@@ -60,6 +61,7 @@ FunctionEvidence functionFrom(const json& document) {
   document.at("not_a_number").get_to(evidence.notANumber);
   document.at("zero").get_to(evidence.zero);
   document.at("wrong_zero").get_to(evidence.wrongZero);
+  document.at("plain_right").get_to(evidence.plainRight);
   document.at("stateful").get_to(evidence.isStateful);
   document.at("constant").get_to(evidence.isConstant);
   for (const json& each : document.at("agreeing")) {

@@ -53,11 +53,12 @@ const std::map<std::string, const char*>& sentences() {
 
 double logBinomial(double n, double k) { return std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1); }
 
-/// Whether so many right and wrong calls fall apart at one of so many features only once in a thousand by accident.
+/// Whether so many plain right and wrong calls fall apart at one of so many features only once in a thousand by
+/// accident.
 bool isNoAccident(const FunctionEvidence& evidence) {
   constexpr double once = 1e-3;
   const auto wrong = static_cast<double>(evidence.wrong);
-  const auto calls = static_cast<double>(evidence.calls);
+  const auto calls = static_cast<double>(evidence.plainRight + evidence.wrong);
   const auto features = static_cast<double>(evidence.features.size());
   return logBinomial(calls, wrong) > std::log(2 * features / once);
 }
@@ -82,11 +83,12 @@ Separation wrongBelow(const std::string& name, const FeatureRange& range, bool i
   if (range.fewestWrong < 0 && isSign(range.mostWrong, range.fewestRight)) {
     return {"one_sided", fmt::format("{} is negative", name)};
   }
-  const bool isExact = range.fewestWrong == range.mostWrong;
-  if (!isLength && !(isExact && range.mostWrong == 0)) return {};
-  return {isExact && range.mostWrong == 0 ? "edge" : "threshold",
-          isExact ? fmt::format("{} is {}", name, shortly(range.mostWrong))
-                  : fmt::format("{} is {} or less", name, shortly(range.mostWrong))};
+  if (range.fewestWrong == 0 && range.mostWrong == 0) return {"edge", fmt::format("{} is 0", name)};
+  if (!isLength) return {};
+  const std::string most = shortly(range.mostWrong);
+  if (range.fewestWrong == range.mostWrong) return {"threshold", fmt::format("{} is {}", name, most)};
+  // At 0 the answer is right, or was not asked for.
+  return {"threshold", fmt::format("{} is {} or less{}", name, most, range.fewestWrong > 0 ? ", but not 0" : "")};
 }
 
 Separation wrongAbove(const std::string& name, const FeatureRange& range) {

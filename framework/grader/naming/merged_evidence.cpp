@@ -27,6 +27,7 @@ void merge(FunctionEvidence& all, const FunctionEvidence& more) {
   all.notANumber += more.notANumber;
   all.zero += more.zero;
   all.wrongZero += more.wrongZero;
+  all.plainRight += more.plainRight;
   all.isStateful = all.isStateful || more.isStateful;
   all.isConstant = all.isConstant && more.isConstant;
   std::erase_if(all.agreeing, [&more](Hypothesis& each) {

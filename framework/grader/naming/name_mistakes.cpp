@@ -140,7 +140,13 @@ class Namer {
                         "Derivatives are asked for as formulas, which are exact; constants with all their digits."};
   }
 
-  Found wholeNumbers(const std::string& function, const FunctionEvidence&) const {
+  Found wholeNumbers(const std::string& function, const FunctionEvidence& evidence) const {
+    if (const auto clue = evidence.wrong < fewestWrong ? std::nullopt : wholeVariable(source_, function)) {
+      return NamedMistake{"whole_numbers", function,
+                          fmt::format("line {}, {}: {} keeps whole numbers only, and what it is given has a fraction",
+                                      clue->line, function, clue->token),
+                          "Declare it as double."};
+    }
     const auto clue = integerDivision(source_, function);
     if (!clue) return std::nullopt;
     return NamedMistake{"integer_division", function,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <initializer_list>
 #include <vector>
 
 namespace muelle::grader {
@@ -20,26 +21,47 @@ int lineOf(std::string_view source, std::string_view token) {
   return 1 + static_cast<int>(std::count(source.data(), token.data(), '\n'));
 }
 
-/// The tokens of the function's body, by its braces; empty when the source does not define it.
-Tokens bodyOf(const Tokens& tokens, std::string_view function) {
+/// Where the closing one of the brackets stands that open at `at`; the end when there is none.
+std::size_t closing(const Tokens& tokens, std::size_t at, std::string_view open, std::string_view close) {
+  int depth = 0;
+  for (; at < tokens.size(); ++at) {
+    if (tokens[at] == open) ++depth;
+    if (tokens[at] == close && --depth == 0) break;
+  }
+  return at;
+}
+
+/// Parameters and body of a function; empty when the source does not define it.
+struct Definition {
+  Tokens parameters;
+  Tokens body;
+};
+
+Definition definitionOf(const Tokens& tokens, std::string_view function) {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     if (tokens[i] != function || tokens[i + 1] != "(") continue;
-    std::size_t at = i + 1;
-    for (int depth = 0; at < tokens.size(); ++at) {
-      if (tokens[at] == "(") ++depth;
-      if (tokens[at] == ")" && --depth == 0) break;
-    }
-    if (at + 1 >= tokens.size() || tokens[at + 1] != "{") continue;
-    Tokens body;
-    int depth = 0;
-    for (++at; at < tokens.size(); ++at) {
-      if (tokens[at] == "{") ++depth;
-      if (tokens[at] == "}" && --depth == 0) break;
-      body.push_back(tokens[at]);
-    }
-    return body;
+    const std::size_t end = closing(tokens, i + 1, "(", ")");
+    if (end + 1 >= tokens.size() || tokens[end + 1] != "{") continue;
+    const std::size_t last = closing(tokens, end + 1, "{", "}");
+    const auto from = [&tokens](std::size_t at) { return tokens.begin() + static_cast<std::ptrdiff_t>(at); };
+    return {Tokens(from(i + 2), from(end)), Tokens(from(end + 2), from(last))};
   }
   return {};
+}
+
+/// The function's definition, and those of what it calls, that the source holds.
+std::vector<Definition> definitionsBelow(const Tokens& tokens, std::string_view function) {
+  constexpr std::size_t most = 20;
+  std::vector<std::string_view> names{function};
+  std::vector<Definition> found;
+  for (std::size_t i = 0; i < names.size() && i < most; ++i) {
+    found.push_back(definitionOf(tokens, names[i]));
+    const Tokens& body = found.back().body;
+    for (std::size_t at = 0; at + 1 < body.size(); ++at) {
+      if (body[at + 1] == "(" && std::ranges::find(names, body[at]) == names.end()) names.push_back(body[at]);
+    }
+  }
+  return found;
 }
 
 /// "1" "/" "2" with no digit or point beside it: 1.0 / 2 is scanned as "1" "." "0".
@@ -69,17 +91,64 @@ bool sumsWholeNumbers(const Tokens& body, std::size_t i) {
   return commas >= 2 && last.size() == 1 && isWholeNumber(last.front());
 }
 
+bool isOneOf(std::string_view token, std::initializer_list<std::string_view> words) {
+  return std::ranges::find(words, token) != words.end();
+}
+
+/// The names that a function declares as numbers with a fraction, or as vectors of these.
+std::vector<std::string_view> fractionalNames(const Definition& definition) {
+  std::vector<std::string_view> names;
+  for (const Tokens* tokens : {&definition.parameters, &definition.body}) {
+    for (std::size_t i = 0; i + 1 < tokens->size(); ++i) {
+      if (!isOneOf((*tokens)[i], {"double", "float", "Vec2", "Vec3", "Vec6", "Vec9", "Vector3d"})) continue;
+      names.push_back((*tokens)[i + ((*tokens)[i + 1] == "&" && i + 2 < tokens->size() ? 2 : 1)]);
+    }
+  }
+  return names;
+}
+
+/// `int rate = ...` from what has a fraction; a cast to a whole number counts as well.
+std::optional<std::string_view> cutNumber(const Definition& definition) {
+  const Tokens& body = definition.body;
+  const std::vector<std::string_view> fractional = fractionalNames(definition);
+  const auto hasFraction = [&fractional](std::string_view token) {
+    return std::ranges::find(fractional, token) != fractional.end() ||
+           isOneOf(token, {"dot", "norm", "stableNorm", "squaredNorm", "sqrt", "hypot", "abs", "fabs", "pow"});
+  };
+  for (std::size_t i = 0; i + 3 < body.size(); ++i) {
+    if (!isOneOf(body[i], {"int", "long", "unsigned", "short"}) || !isOneOf(body[i + 2], {"=", "{"})) continue;
+    for (std::size_t at = i + 3; at < body.size() && !isOneOf(body[at], {";", "}", "<", ">"}); ++at) {
+      if (isOneOf(body[at], {"size", "rows", "cols"})) break;
+      if (hasFraction(body[at])) return body[i];
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<SourceClue> integerDivision(std::string_view source, std::string_view function) {
-  const Tokens body = bodyOf(sourceTokens(source), function);
-  for (std::size_t i = 0; i < body.size(); ++i) {
-    if (dividesWholeNumbers(body, i)) {
-      const std::string_view all(
-          body[i - 1].data(), static_cast<std::size_t>(body[i + 1].data() + body[i + 1].size() - body[i - 1].data()));
-      return SourceClue{"integer_division", lineOf(source, body[i]), std::string(all)};
+  for (const Definition& definition : definitionsBelow(sourceTokens(source), function)) {
+    const Tokens& body = definition.body;
+    for (std::size_t i = 0; i < body.size(); ++i) {
+      if (dividesWholeNumbers(body, i)) {
+        const std::string_view all(
+            body[i - 1].data(), static_cast<std::size_t>(body[i + 1].data() + body[i + 1].size() - body[i - 1].data()));
+        return SourceClue{"integer_division", lineOf(source, body[i]), std::string(all)};
+      }
+      if (sumsWholeNumbers(body, i)) {
+        return SourceClue{"integer_division", lineOf(source, body[i]), "accumulate(..., 0)"};
+      }
     }
-    if (sumsWholeNumbers(body, i)) return SourceClue{"integer_division", lineOf(source, body[i]), "accumulate(..., 0)"};
+  }
+  return std::nullopt;
+}
+
+std::optional<SourceClue> wholeVariable(std::string_view source, std::string_view function) {
+  for (const Definition& definition : definitionsBelow(sourceTokens(source), function)) {
+    if (const auto type = cutNumber(definition)) {
+      return SourceClue{"whole_numbers", lineOf(source, *type), std::string(*type)};
+    }
   }
   return std::nullopt;
 }

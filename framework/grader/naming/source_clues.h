@@ -7,13 +7,18 @@ namespace muelle::grader {
 
 /// What in a source explains a wrong number, with its line.
 struct SourceClue {
-  std::string id;  ///< "integer_division", "single_precision"
+  std::string id;  ///< "integer_division", "whole_numbers", "single_precision"
   int line = 0;    ///< from 1
   std::string token;
 };
 
-/// A division of two whole numbers, or a sum of `accumulate` that starts from one, in the body of a function.
+/// A division of two whole numbers, or a sum of `accumulate` that starts from one, in the body of a function or of one
+/// that it calls.
 std::optional<SourceClue> integerDivision(std::string_view source, std::string_view function);
+
+/// A variable of whole numbers that is given a number with a fraction, in the body of a function or of one that it
+/// calls.
+std::optional<SourceClue> wholeVariable(std::string_view source, std::string_view function);
 
 /// The first `float`, or literal with an f at its end, of the file.
 std::optional<SourceClue> singlePrecision(std::string_view source);

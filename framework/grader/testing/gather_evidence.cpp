@@ -72,8 +72,13 @@ class Gatherer {
       ++found_.imprecise;
       found_.worstNear = std::max(found_.worstNear, deviation);
     }
-    for (FeatureValue& each : featuresOf(history_.items(call))) widen(found_.features, std::move(each), isRight);
+    std::vector<FeatureValue> features = featuresOf(history_.items(call));
+    if (isRight && std::ranges::any_of(features, isNothing)) return;
+    found_.plainRight += isRight ? 1 : 0;
+    for (FeatureValue& each : features) widen(found_.features, std::move(each), isRight);
   }
+
+  static bool isNothing(const FeatureValue& each) { return each.feature.kind != "count" && each.value == 0; }
 
   bool isConstant() const {
     bool differs = false;

@@ -1,5 +1,6 @@
 #include "grader/testing/generic_mistakes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -21,7 +22,11 @@ class Builder {
   explicit Builder(const CallHistoryBase& history) : history_(history) {
     addListed();
     addResults(history.oracle(0).size());
-    for (const ArgumentItem& item : history.items(0)) addItem(item);
+    const std::vector<ArgumentItem> items = history.items(0);
+    for (const ArgumentItem& item : items) addItem(item);
+    for (const ArgumentItem& from : items) {
+      for (const ArgumentItem& to : items) addSameField(from, to);
+    }
     for (int j = 0; j < history.argumentCount(); ++j) {
       for (int i = 0; i < j; ++i) addPair(i, j);
     }
@@ -150,6 +155,22 @@ class Builder {
         [&history = history_, i, j](std::size_t call) { return history.oracleWithTwice(call, i, j); });
     add({"argument_twice", false, {second, first}, 0.0},
         [&history = history_, i, j](std::size_t call) { return history.oracleWithTwice(call, j, i); });
+  }
+
+  /// One field taken from another argument of the same kind: "lower.L0 where upper.L0 belongs".
+  void addSameField(const ArgumentItem& from, const ArgumentItem& to) {
+    const bool isOfStructs = from.kind == Kind::Number && to.kind == Kind::Number && from.leaf.field >= 0;
+    if (!isOfStructs || from.leaf.field != to.leaf.field || from.leaf == to.leaf) return;
+    if (!history_.areAlike(from.leaf.argument, to.leaf.argument)) return;
+    add({"argument_twice", false, {from.leaf, to.leaf}, 0.0},
+        [&history = history_, from = from.leaf, to = to.leaf](std::size_t call) {
+          const double other = numberAt(history.items(call), from);
+          return history.oracleWith(call, to, [other](double) { return other; });
+        });
+  }
+
+  static double numberAt(const std::vector<ArgumentItem>& items, const Leaf& leaf) {
+    return std::ranges::find(items, leaf, &ArgumentItem::leaf)->numbers.front();
   }
 
   const CallHistoryBase& history_;

@@ -71,6 +71,18 @@ TEST(Naming, SaysWhereRightAndWrongPart) {
   EXPECT_EQ(noNumber.says, "force gives no finite number in 4 of 40 calls, and is right elsewhere");
 }
 
+/// Where a number is 0 the mistake may not show: that takes nothing from what all other calls say.
+TEST(Naming, AnAnswerThatIsRightAtZeroHidesNoBorder) {
+  ForceHistory history;
+  const auto own = [](double x, double k, double L0) { return x - L0 > 0 ? rightForce(x, k, L0) : 7.0 * k; };
+  ask(history, own, 40);
+  for (const double x : {0.3, 0.7, 1.9}) history.add({x, 0.0, 1.0}, {own(x, 0.0, 1.0)});
+  GradedExercise exercise = exerciseOf({lostBy(history)});
+  nameMistakes(exercise, springContract, "");
+  ASSERT_FALSE(exercise.verdicts.at("Force").mistakes.empty());
+  EXPECT_EQ(exercise.verdicts.at("Force").mistakes.front().id, "one_sided");
+}
+
 TEST(Naming, OfWhatIsNearlyRightTellsTheDigits) {
   const auto single = [](double x, double k, double L0) {
     return static_cast<double>(static_cast<float>(rightForce(x, k, L0)));

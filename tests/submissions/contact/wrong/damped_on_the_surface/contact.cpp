@@ -1,0 +1,41 @@
+// loses: PlaneNeverPulls; misconception: plane_surface
+#include "contact.h"
+
+Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+  const double depth = -(x - p).dot(n);
+  if (depth >= 0) {
+    const double size = k * depth - d * v.dot(n);
+    if (size > 0) return size * n;
+  }
+  return Vec3::Zero();
+}
+
+Vec3 sphereContact(const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
+  const double r = (x - c).norm();
+  if (r > 0 && R - r > 0) {
+    const Vec3 n = (x - c) / r;
+    const double size = k * (R - r) - d * v.dot(n);
+    if (size > 0) return size * n;
+  }
+  return Vec3::Zero();
+}
+
+std::vector<double> columnAtRest(const std::vector<double>& m, double k, double L0, double kPlane, double g) {
+  double load = 0;
+  for (double mass : m) load += mass * g;
+  std::vector<double> z;
+  double height = -load / kPlane;
+  for (double mass : m) {
+    z.push_back(height);
+    load -= mass * g;
+    height += L0 - load / k;
+  }
+  return z;
+}
+
+Vec3 frictionForce(const Vec3& v, const Vec3& n, double N, double mu, double c) {
+  const Vec3 t = v - v.dot(n) * n;
+  const double s = t.norm();
+  if (s == 0) return Vec3::Zero();
+  return -std::min(mu * N, c * s) / s * t;
+}

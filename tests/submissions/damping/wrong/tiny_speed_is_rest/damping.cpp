@@ -1,0 +1,16 @@
+// loses: NodeDamping; misconception: node_threshold or threshold
+#include "damping.h"
+
+Vec3 nodeDamping(const Vec3& va, double d) {
+  if (va.norm() < 1e-50) return Vec3::Zero();  // at rest
+  return -d * va;
+}
+
+Vec3 relativeDamping(const Vec3& va, const Vec3& vb, double d) { return -d * (va - vb); }
+
+Vec3 projectedDamping(const Vec3& xa, const Vec3& xb, const Vec3& va, const Vec3& vb, double d) {
+  const double L = (xa - xb).norm();
+  if (L == 0) return Vec3::Zero();
+  const Vec3 u = (xa - xb) / L;
+  return -d * (va - vb).dot(u) * u;
+}

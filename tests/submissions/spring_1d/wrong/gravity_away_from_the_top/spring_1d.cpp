@@ -1,0 +1,22 @@
+// loses: HangingNode; misconception: one_sided or gravity_up
+// "gravity pulls the node away from where it hangs": upwards when it has swung above the top
+#include "spring_1d.h"
+
+double lumpedMass(double M, int n) { return M / n; }
+
+double springForceOnA(double xa, double xb, double k, double L0) {
+  const double L = std::abs(xa - xb);
+  if (L == 0) return 0;
+  return -k * (L - L0) * (xa - xb) / L;
+}
+
+double springForceOnB(double xa, double xb, double k, double L0) { return -springForceOnA(xa, xb, k, L0); }
+
+double hangingAcceleration(double x, double m, const Attachment& top, double g) {
+  const double spring = springForceOnA(x, top.x, top.k, top.L0) / m;
+  return x > top.x ? spring + g : spring - g;
+}
+
+double accelerationBetween(double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+  return (springForceOnA(x, lower.x, lower.k, lower.L0) + springForceOnA(x, upper.x, upper.k, upper.L0)) / m - g;
+}

@@ -1,0 +1,24 @@
+// loses: HookeForce, CrossedNodes; misconception: relative_deformation
+#include "spring_1d.h"
+
+double lumpedMass(double M, int n) { return M / n; }
+
+double springForceOnA(double xa, double xb, double k, double L0) {
+  const double L = std::abs(xa - xb);
+  if (L == 0) return 0;
+  const double strain = (L - L0) / L0;
+  return -k * strain * (xa - xb) / L;
+}
+
+double springForceOnB(double xa, double xb, double k, double L0) { return -springForceOnA(xa, xb, k, L0); }
+
+double hangingAcceleration(double x, double m, const Attachment& top, double g) {
+  const double spring = springForceOnA(x, top.x, top.k, top.L0);
+  const double weight = -m * g;
+  return (spring + weight) / m;
+}
+
+double accelerationBetween(double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+  const double weight = -m * g;
+  return (springForceOnA(x, lower.x, lower.k, lower.L0) + springForceOnA(x, upper.x, upper.k, upper.L0) + weight) / m;
+}

@@ -1,0 +1,23 @@
+// loses: ShortSpring; misconception: threshold
+// "1e-9 m must work, so take something much smaller"
+#include "spring_1d.h"
+
+constexpr double nothing = 1e-60;
+
+double lumpedMass(double M, int n) { return M / n; }
+
+double springForceOnA(double xa, double xb, double k, double L0) {
+  const double L = std::abs(xa - xb);
+  if (L < nothing) return 0;
+  return -k * (L - L0) * (xa - xb) / L;
+}
+
+double springForceOnB(double xa, double xb, double k, double L0) { return -springForceOnA(xa, xb, k, L0); }
+
+double hangingAcceleration(double x, double m, const Attachment& top, double g) {
+  return springForceOnA(x, top.x, top.k, top.L0) / m - g;
+}
+
+double accelerationBetween(double x, double m, const Attachment& lower, const Attachment& upper, double g) {
+  return springForceOnA(x, lower.x, lower.k, lower.L0) / m + springForceOnA(x, upper.x, upper.k, upper.L0) / m - g;
+}
