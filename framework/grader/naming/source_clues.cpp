@@ -1,6 +1,7 @@
 #include "grader/naming/source_clues.h"
 
 #include "course/check/source_tokens.h"
+#include "grader/naming/function_text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -20,26 +21,10 @@ int lineOf(std::string_view source, std::string_view token) {
   return 1 + static_cast<int>(std::count(source.data(), token.data(), '\n'));
 }
 
-/// The tokens of the function's body, by its braces; empty when the source does not define it.
-Tokens bodyOf(const Tokens& tokens, std::string_view function) {
-  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
-    if (tokens[i] != function || tokens[i + 1] != "(") continue;
-    std::size_t at = i + 1;
-    for (int depth = 0; at < tokens.size(); ++at) {
-      if (tokens[at] == "(") ++depth;
-      if (tokens[at] == ")" && --depth == 0) break;
-    }
-    if (at + 1 >= tokens.size() || tokens[at + 1] != "{") continue;
-    Tokens body;
-    int depth = 0;
-    for (++at; at < tokens.size(); ++at) {
-      if (tokens[at] == "{") ++depth;
-      if (tokens[at] == "}" && --depth == 0) break;
-      body.push_back(tokens[at]);
-    }
-    return body;
-  }
-  return {};
+/// The tokens of the function's body; empty when the source does not define it.
+Tokens bodyOf(std::string_view source, std::string_view function) {
+  const std::optional<FunctionText> text = functionText(source, function);
+  return text ? sourceTokens(text->body) : Tokens();
 }
 
 /// "1" "/" "2" with no digit or point beside it: 1.0 / 2 is scanned as "1" "." "0".
@@ -72,7 +57,7 @@ bool sumsWholeNumbers(const Tokens& body, std::size_t i) {
 }  // namespace
 
 std::optional<SourceClue> integerDivision(std::string_view source, std::string_view function) {
-  const Tokens body = bodyOf(sourceTokens(source), function);
+  const Tokens body = bodyOf(source, function);
   for (std::size_t i = 0; i < body.size(); ++i) {
     if (dividesWholeNumbers(body, i)) {
       const std::string_view all(
