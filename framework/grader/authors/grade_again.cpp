@@ -25,7 +25,7 @@ std::vector<UnnamedGroup> gradeAgain(const Workplace& workplace, const GradeOpti
           {handIn.manifest.topic, {handIn.name}, std::move(mistake), handIn.sources.at(handIn.manifest.files.front())});
     }
   }
-  return joined(std::move(single));
+  return joinAlike(std::move(single));
 }
 
 }  // namespace muelle::grader

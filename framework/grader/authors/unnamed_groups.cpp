@@ -31,7 +31,7 @@ bool errAlike(const UnnamedMistake& a, const UnnamedMistake& b) {
   return common > 0 && common >= std::min(fewer, static_cast<std::size_t>(fewestWrong));
 }
 
-std::vector<UnnamedGroup> joined(std::vector<UnnamedGroup> single) {
+std::vector<UnnamedGroup> joinAlike(std::vector<UnnamedGroup> single) {
   std::vector<UnnamedGroup> groups;
   for (UnnamedGroup& each : single) {
     const auto known = std::ranges::find_if(groups, [&each](const UnnamedGroup& group) {

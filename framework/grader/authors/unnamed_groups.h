@@ -17,6 +17,6 @@ struct UnnamedGroup {
 bool errAlike(const UnnamedMistake& a, const UnnamedMistake& b);
 
 /// Joins groups of one hand-in each, those of one exercise and function that err alike; the largest first.
-std::vector<UnnamedGroup> joined(std::vector<UnnamedGroup> single);
+std::vector<UnnamedGroup> joinAlike(std::vector<UnnamedGroup> single);
 
 }  // namespace muelle::grader
