@@ -3,6 +3,7 @@
 /// What the calls of one criterion say about the mistakes that a function may hold: data, from the test process to the
 /// pool, which alone sees all criteria.
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <tuple>
@@ -45,6 +46,21 @@ struct FeatureRange {
   bool operator==(const FeatureRange&) const = default;
 };
 
+/// A wrong answer, for authors who compare those of several hand-ins.
+struct WrongAnswer {
+  std::uint64_t question = 0;   ///< follows from the call's arguments: equal for equal ones
+  std::vector<double> numbers;  ///< the first of them
+  double roundOff = 0.0;        ///< where they cancel to nothing, this is left
+  bool operator==(const WrongAnswer&) const = default;
+};
+
+/// A listed mistake among those of its function, for authors: which of them no call tells apart.
+struct ListedMistake {
+  std::string id;
+  int group = 0;  ///< equal where the numbers agree in all calls; 0: those of the oracle
+  bool operator==(const ListedMistake&) const = default;
+};
+
 /// The calls of one function.
 struct FunctionEvidence {
   long calls = 0;
@@ -62,6 +78,8 @@ struct FunctionEvidence {
   /// calls of `features` are these.
   long plainRight = 0;
   std::map<Feature, FeatureRange> features;
+  std::vector<WrongAnswer> answers;   ///< a sample of the wrong ones; only GradeOptions::forAuthors, and not merged
+  std::vector<ListedMistake> listed;  ///< in the order of their registration; likewise
   bool operator==(const FunctionEvidence&) const = default;
 };
 

@@ -26,6 +26,18 @@ std::vector<Leaf> leavesFrom(const json& list) {
   return leaves;
 }
 
+json toJson(const WrongAnswer& answer) {
+  json numbers = json::array();
+  for (const double number : answer.numbers) numbers.push_back(exact(number));
+  return {answer.question, exact(answer.roundOff), numbers};
+}
+
+WrongAnswer wrongAnswerFrom(const json& document) {
+  WrongAnswer answer{document.at(0), {}, exactOf(document.at(1))};
+  for (const json& number : document.at(2)) answer.numbers.push_back(exactOf(number));
+  return answer;
+}
+
 json toJson(const FunctionEvidence& evidence) {
   json agreeing = json::array();
   for (const Hypothesis& each : evidence.agreeing) {
@@ -36,6 +48,10 @@ json toJson(const FunctionEvidence& evidence) {
     features.push_back({feature.kind, toJson(feature.of), exact(range.fewestRight), exact(range.mostRight),
                         exact(range.fewestWrong), exact(range.mostWrong)});
   }
+  json answers = json::array();
+  for (const WrongAnswer& each : evidence.answers) answers.push_back(toJson(each));
+  json listed = json::array();
+  for (const ListedMistake& each : evidence.listed) listed.push_back({each.id, each.group});
   return {{"calls", evidence.calls},
           {"wrong", evidence.wrong},
           {"imprecise", evidence.imprecise},
@@ -48,7 +64,9 @@ json toJson(const FunctionEvidence& evidence) {
           {"stateful", evidence.isStateful},
           {"constant", evidence.isConstant},
           {"agreeing", agreeing},
-          {"features", features}};
+          {"features", features},
+          {"answers", answers},
+          {"listed", listed}};
 }
 
 FunctionEvidence functionFrom(const json& document) {
@@ -71,6 +89,8 @@ FunctionEvidence functionFrom(const json& document) {
     evidence.features[{each.at(0), leavesFrom(each.at(1))}] = {exactOf(each.at(2)), exactOf(each.at(3)),
                                                                exactOf(each.at(4)), exactOf(each.at(5))};
   }
+  for (const json& each : document.at("answers")) evidence.answers.push_back(wrongAnswerFrom(each));
+  for (const json& each : document.at("listed")) evidence.listed.push_back({each.at(0), each.at(1)});
   return evidence;
 }
 

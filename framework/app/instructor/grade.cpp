@@ -1,9 +1,11 @@
 #include "grader/run/grade.h"
 #include "app/commands.h"
 #include "base/errors.h"
+#include "base/file.h"
 #include "base/progress_bar.h"
 #include "base/terminal.h"
 #include "base/text/trim.h"
+#include "grader/authors/mistake_text.h"
 #include "grader/class/grade_class.h"
 #include "grader/intake/looks_like_a_class.h"
 #include "grader/report/report.h"
@@ -40,6 +42,7 @@ struct GradeCommand {
   int jobs = 0;
   bool unsafe = false;
   bool fresh = false;
+  bool unnamed = false;
 };
 
 /// The words of "spring_1d,spring_3d".
@@ -162,6 +165,7 @@ int gradeClass(const GradeCommand& command) {
   options.folder = command.classFolder;
   options.out = given ? *given : grader::reportFolder(defaultParent, command.classFolder);
   options.jobs = jobsOf(command);
+  options.unnamed = command.unnamed;
   ProgressBar bar("grading the class");
   const grader::GradedClass graded =
       grader::gradeClass(grader, options, [&bar](double fraction) { bar.update(fraction); });
@@ -170,6 +174,9 @@ int gradeClass(const GradeCommand& command) {
     fmt::print("\nclass:  {}\ngrades: {}\n", (options.out / "class.html").string(),
                (options.out / "grades.csv").string());
   }
+  for (const grader::UnnamedGroup& group : graded.unnamed) {
+    fmt::print("\n{}", grader::groupText(group, readFile(grader.workplace().contract(group.topic))));
+  }
   const std::string failure = whatFailed(graded);
   if (!failure.empty()) throw MachineFault(failure);
   return 0;
@@ -177,6 +184,7 @@ int gradeClass(const GradeCommand& command) {
 
 int run(const GradeCommand& command) {
   const bool isClass = !command.classFolder.empty();
+  if (command.unnamed && !isClass) throw std::invalid_argument("--unnamed compares hand-ins: it goes with --class");
   if (isClass == !command.submission.empty()) {
     throw std::invalid_argument("give one submission, or --class FOLDER with a submission in each child");
   }
@@ -198,13 +206,16 @@ void addGrade(CommandLine& program) {
                  "The instructor's seed, from which all random inputs derive [kept in the build folder]");
   command.option("--sandbox", options->sandbox, "auto, bubblewrap, landlock or unsafe [auto]");
   command.flag("--unsafe", options->unsafe, "No sandbox: only for files that you trust");
+  command.flag("--unnamed", options->unnamed,
+               "With --class: group the hand-ins without a name by their answers, each group with a MUELLE_MISTAKE");
   command.flag("--fresh", options->fresh, "Build and run again what has been graded before");
   command.footer(
       "Exit code: 0 when it graded, whatever the score; 1 when the grader itself failed on something, which then has\n"
       "no score (type the same command again); 2 bad usage or input.\n"
       "Examples: ./muelle grade solutions\n"
       "          ./muelle grade hand-in.zip --out reports/hand-in\n"
-      "          ./muelle grade --class submissions --only spring_1d,spring_3d");
+      "          ./muelle grade --class submissions --only spring_1d,spring_3d\n"
+      "          ./muelle grade --class submissions --unnamed");
   command.action([options] { return blamingTheMachine([options] { return run(*options); }); });
 }
 

@@ -2,6 +2,7 @@
 #include "app/run_ctest.h"
 #include "base/file.h"
 #include "base/progress_bar.h"
+#include "grader/authors/mistake_text.h"
 #include "grader/matrix/corpus_share.h"
 #include "grader/matrix/matrix_text.h"
 #include "grader/matrix/sentences.h"
@@ -31,6 +32,7 @@ struct MatrixCommand {
   std::string seed = usualSeed;
   std::string sandbox = "auto";
   bool noMutants = false;
+  bool unnamed = false;
   bool fresh = false;
   bool remember = false;
   int share = 1;
@@ -70,6 +72,15 @@ bool sentencesAreKnown(const grader::Workplace& workplace, const grader::TopicMa
   return lines.empty();
 }
 
+/// Wrong submissions without a name, those with the same answers together, and what an author pastes to name them.
+void printUnnamed(const grader::Workplace& workplace, const grader::TopicMatrix& matrix,
+                  const grader::MatrixOptions& options) {
+  const std::string contract = readFile(workplace.contract(matrix.manifest.topic));
+  for (const auto& group : grader::gradeAgain(workplace, options.grading, matrix.unnamed, options.jobs)) {
+    fmt::print("{}\n", grader::groupText(group, contract));
+  }
+}
+
 /// True when everything came out as stated.
 bool gradeMatrices(const MatrixCommand& command) {
   const auto start = std::chrono::steady_clock::now();
@@ -92,6 +103,7 @@ bool gradeMatrices(const MatrixCommand& command) {
   bool good = true;
   for (const grader::TopicMatrix& matrix : matrices) {
     fmt::print("{}\n", grader::matrixText(matrix));
+    if (command.unnamed) printUnnamed(workplace, matrix, options);
     good = good && matrix.good() && sentencesAreKnown(workplace, matrix, command);
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -134,14 +146,19 @@ void addTestTheTests(CommandLine& program) {
   command.option("--seed", options->seed, "Other random inputs than the usual ones");
   command.option("--sandbox", options->sandbox, "auto, bubblewrap, landlock or unsafe [auto]");
   command.flag("--fresh", options->fresh, "Grade again what has been graded before");
+  command.flag("--unnamed", options->unnamed,
+               "Also group the wrong ones without a name by their answers, each group with a MUELLE_MISTAKE to paste");
   command.flag("--remember", options->remember,
                "When all is as stated, note the submissions as known: ./muelle test then takes a share of them");
   command.footer(
       "x lost, . passed, ! otherwise than its first line states. Exit code: 0 when every row is exact and every\n"
       "surviving mutant has its reason in tests/submissions/TOPIC/mutants.toml, else 1. Without TOPIC the attacks and "
       "the\n"
-      "hand-ins that check and grade judge alike are tested, too.\n"
-      "Example: ./muelle test-the-tests spring_3d --no-mutants");
+      "hand-ins that check and grade judge alike are tested, too. Two listed mistakes that give the same numbers in "
+      "every\n"
+      "call of an exercise make the exit code 1, too.\n"
+      "Examples: ./muelle test-the-tests spring_3d --no-mutants\n"
+      "          ./muelle test-the-tests spring_3d --no-mutants --unnamed");
   command.action([options] { return testTheTests(*options); });
 }
 

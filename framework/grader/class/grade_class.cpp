@@ -1,11 +1,14 @@
 #include "grader/class/grade_class.h"
 
 #include "base/file.h"
+#include "grader/authors/grade_again.h"
 #include "grader/intake/class_folder.h"
 #include "grader/report/report.h"
 #include "grader/report/report_folder.h"
 
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <stdexcept>
 
@@ -36,6 +39,7 @@ class Grading {
       pool_.append([this, i, &entry = folder.entries[i]] { open(i, entry); });
     }
     pool_.run();
+    if (options_.unnamed) class_.unnamed = gradeAgain(grader_.workplace(), grader_.options(), inOrder(), options_.jobs);
     write();
     grader_.prune();
     return std::move(class_);
@@ -50,7 +54,9 @@ class Grading {
       if (!entry.refusal.empty()) throw std::runtime_error(entry.refusal);
       Submission submission = grader_.take(entry.parts);
       submission.name = entry.student;
-      grader_.add(pool_, submission, [this, i, path = entry.parts.front()](GradedSubmission graded) {
+      const auto sources = std::make_shared<const SourcesByTopic>(submission.sources);
+      grader_.add(pool_, submission, [this, i, sources, path = entry.parts.front()](GradedSubmission graded) {
+        if (options_.unnamed) noteUnnamed(i, graded, *sources);
         finish(i, path, std::move(graded));
       });
     } catch (const std::exception& error) {
@@ -58,6 +64,22 @@ class Grading {
       forget(row, entry.parts.front());
       count();
     }
+  }
+
+  /// What is graded once more when all is done, for those that are compared.
+  void noteUnnamed(std::size_t i, const GradedSubmission& graded, const SourcesByTopic& sources) {
+    const std::lock_guard lock(mutex_);
+    for (const GradedExercise& exercise : graded.exercises) {
+      if (unnamedMistakes(exercise).empty()) continue;
+      unnamed_[i].push_back({class_.rows[i].student, exercise.manifest, sources.at(exercise.manifest.topic)});
+    }
+  }
+
+  /// In the order of the students, whichever was graded first.
+  std::vector<UnnamedHandIn> inOrder() const {
+    std::vector<UnnamedHandIn> all;
+    for (const auto& [i, handIns] : unnamed_) all.insert(all.end(), handIns.begin(), handIns.end());
+    return all;
   }
 
   void finish(std::size_t i, const fs::path& path, GradedSubmission graded) {
@@ -110,6 +132,7 @@ class Grading {
   const std::function<void(double)>& progress_;
   Pool pool_;
   GradedClass class_;
+  std::map<std::size_t, std::vector<UnnamedHandIn>> unnamed_;  ///< by row
   std::mutex mutex_;
   std::size_t done_ = 0;
 };

@@ -11,6 +11,7 @@ struct ClassOptions {
   std::filesystem::path folder;  ///< each child is one submission
   std::filesystem::path out;     ///< grades.csv, class.html, reports/STUDENT/
   int jobs = 1;
+  bool unnamed = false;  ///< also group the hand-ins without a name by their answers
 };
 
 /// Grades every submission of a folder through one pool and writes grades.csv, the page of the class and each report.

@@ -1,4 +1,5 @@
 #pragma once
+#include "grader/authors/unnamed_groups.h"
 #include "grader/verdict.h"
 
 #include <optional>
@@ -30,7 +31,8 @@ struct GradedClass {
   std::vector<ClassRow> rows;
   std::vector<std::string> notes;  ///< children of the folder that are no submissions; untrusted text inside
   std::string sandbox;
-  std::string outFault{};  ///< why grades.csv or class.html could not be written; "" when they were
+  std::vector<UnnamedGroup> unnamed{};  ///< ClassOptions::unnamed: the largest first
+  std::string outFault{};               ///< why grades.csv or class.html could not be written; "" when they were
 
   /// Rows without points.
   int faults() const;

@@ -20,7 +20,7 @@ bool Mutant::asStated() const {
 }
 
 bool TopicMatrix::good() const {
-  return endsNotPassed.empty() && staleSurvivors.empty() &&
+  return endsNotPassed.empty() && mistakesNotToldApart.empty() && staleSurvivors.empty() &&
          std::all_of(rows.begin(), rows.end(), [](const MatrixRow& row) { return row.exact(); }) &&
          std::all_of(mutants.begin(), mutants.end(), [](const Mutant& mutant) { return mutant.asStated(); });
 }

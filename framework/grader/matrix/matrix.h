@@ -1,4 +1,5 @@
 #pragma once
+#include "grader/authors/grade_again.h"
 #include "grader/matrix/expectation.h"
 #include "grader/matrix/survivors.h"
 #include "grader/run/keys.h"
@@ -58,9 +59,11 @@ struct TopicMatrix {
   Manifest manifest;
   std::vector<MatrixRow> rows;
   std::vector<Mutant> mutants;
-  std::set<std::string> sentences;          ///< what students are told, without its numbers
-  std::vector<std::string> endsNotPassed;   ///< of the contract's ranges, one line each
-  std::vector<std::string> staleSurvivors;  ///< entries of mutants.toml that match no mutation, one line each
+  std::set<std::string> sentences;                ///< what students are told, without its numbers
+  std::vector<std::string> endsNotPassed;         ///< of the contract's ranges, one line each
+  std::vector<std::string> mistakesNotToldApart;  ///< of those that the exercise lists, one line each
+  std::vector<UnnamedHandIn> unnamed;             ///< wrong submissions that lose a criterion without a name
+  std::vector<std::string> staleSurvivors;        ///< entries of mutants.toml that match no mutation, one line each
 
   bool good() const;
 };
@@ -94,6 +97,7 @@ TopicMatrix planMatrix(const Workplace& workplace, const Manifest& manifest, con
 using MatrixListener = std::function<void(double fraction)>;
 
 /// Grades everything planned, `options.jobs` at a time. Verdicts are kept in the build folder as those of any grading.
+/// The solution is graded for authors, so that its calls tell the listed mistakes apart.
 void runMatrix(const Workplace& workplace, std::vector<TopicMatrix>& matrices, const MatrixOptions& options,
                const MatrixListener& progress = {});
 

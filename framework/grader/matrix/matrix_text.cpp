@@ -136,8 +136,15 @@ std::string mutantsText(const TopicMatrix& matrix) {
                                  countOf(matrix, Mutant::Fate::Killed), countOf(matrix, Mutant::Fate::NotCompilable),
                                  countOf(matrix, Mutant::Fate::Survived));
   for (const Mutant& mutant : matrix.mutants) text += mutantText(mutant);
-  for (const std::string& end : matrix.endsNotPassed) text += "  ! of the contract's range: " + end + "\n";
   for (const std::string& stale : matrix.staleSurvivors) text += "  ! " + stale + "\n";
+  return text;
+}
+
+/// What the solution's calls say of the contract and of the listed mistakes.
+std::string callsText(const TopicMatrix& matrix) {
+  std::string text;
+  for (const std::string& end : matrix.endsNotPassed) text += "  ! of the contract's range: " + end + "\n";
+  for (const std::string& same : matrix.mistakesNotToldApart) text += "  ! of the listed mistakes: " + same + "\n";
   return text;
 }
 
@@ -185,7 +192,7 @@ std::string matrixText(const TopicMatrix& matrix) {
   text += " misconception named\n";
   for (const MatrixRow& row : matrix.rows) text += rowText(row, manifest);
   for (const MatrixRow& row : matrix.rows) text += complaint(row);
-  return text + mutantsText(matrix);
+  return text + mutantsText(matrix) + callsText(matrix);
 }
 
 std::string summaryText(const MatrixSummary& sum) {

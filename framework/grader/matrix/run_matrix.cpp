@@ -1,6 +1,7 @@
 #include "grader/matrix/matrix.h"
 
 #include "base/file.h"
+#include "grader/authors/same_mistakes.h"
 #include "grader/matrix/ranges.h"
 #include "grader/matrix/sentences.h"
 #include "grader/naming/merged_evidence.h"
@@ -40,9 +41,10 @@ void fill(MatrixRow& row, const GradedExercise& graded) {
 }
 
 /// The solution answers every call: what it was asked is what the hidden tests pass.
-void lookAtRanges(const Workplace& workplace, TopicMatrix& matrix, const GradedExercise& graded) {
+void lookAtCalls(const Workplace& workplace, TopicMatrix& matrix, const GradedExercise& graded) {
   const std::string contract = readFile(workplace.contract(matrix.manifest.topic));
   matrix.endsNotPassed = endsNotPassed(contract, mergedEvidence(graded.verdicts));
+  matrix.mistakesNotToldApart = mistakesNotToldApart(graded.verdicts);
 }
 
 /// Criteria of an exercise, those that have killed most mutants first.
@@ -144,9 +146,11 @@ class Counter {
   explicit Counter(const MatrixListener& listener) : listener_(listener) {}
   void expectOne() { ++all_; }
   /// Submissions are graded side by side.
-  void addSentences(TopicMatrix& matrix, const GradedExercise& graded) {
+  void add(TopicMatrix& matrix, const MatrixRow& row, const GradedExercise& graded) {
     const std::lock_guard lock(mutex_);
     matrix.sentences.merge(sentencesOf(graded));
+    const bool isUnnamed = row.kind == MatrixRow::Kind::Wrong && !unnamedMistakes(graded).empty();
+    if (isUnnamed) matrix.unnamed.push_back({row.name, matrix.manifest, row.sources});
   }
   void count() {
     const std::lock_guard lock(mutex_);
@@ -168,15 +172,19 @@ void runMatrix(const Workplace& workplace, std::vector<TopicMatrix>& matrices, c
   GradeOptions grading = options.grading;
   grading.withCurves = false;
   Grader grader(workplace, {}, grading, makeSandbox(grading.sandbox));
+  grading.forAuthors = true;
+  Grader forAuthors(workplace, {}, grading, makeSandbox(grading.sandbox));
   Pool pool(options.jobs);
   Counter counter(progress);
   for (TopicMatrix& matrix : matrices) {
     for (MatrixRow& row : matrix.rows) {
       counter.expectOne();
-      grader.addExercise(pool, matrix.manifest, &row.sources, {}, [&](const GradedExercise& graded) {
+      const bool isSolution = row.kind == MatrixRow::Kind::Solution;
+      Grader& itsGrader = isSolution ? forAuthors : grader;
+      itsGrader.addExercise(pool, matrix.manifest, &row.sources, {}, [&, isSolution](const GradedExercise& graded) {
         fill(row, graded);
-        counter.addSentences(matrix, graded);
-        if (row.kind == MatrixRow::Kind::Solution) lookAtRanges(workplace, matrix, graded);
+        counter.add(matrix, row, graded);
+        if (isSolution) lookAtCalls(workplace, matrix, graded);
         counter.count();
       });
     }

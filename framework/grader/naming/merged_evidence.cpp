@@ -47,6 +47,9 @@ void merge(FunctionEvidence& all, const FunctionEvidence& more) {
 Evidence mergedEvidence(const std::map<std::string, Verdict>& verdicts) {
   Evidence merged;
   for (const auto& [suite, verdict] : verdicts) {
+    // Earned with the reference's lower function in place of the student's: the answers are that one's, and what is
+    // built on it.
+    if (!verdict.followed.empty()) continue;
     for (const auto& [function, evidence] : verdict.evidence) {
       const auto [known, isNew] = merged.try_emplace(function, evidence);
       if (!isNew) merge(known->second, evidence);

@@ -1,6 +1,7 @@
 #include "grader/naming/source_clues.h"
 
 #include "course/check/source_tokens.h"
+#include "grader/naming/function_text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -21,41 +22,21 @@ int lineOf(std::string_view source, std::string_view token) {
   return 1 + static_cast<int>(std::count(source.data(), token.data(), '\n'));
 }
 
-/// Where the closing one of the brackets stands that open at `at`; the end when there is none.
-std::size_t closing(const Tokens& tokens, std::size_t at, std::string_view open, std::string_view close) {
-  int depth = 0;
-  for (; at < tokens.size(); ++at) {
-    if (tokens[at] == open) ++depth;
-    if (tokens[at] == close && --depth == 0) break;
-  }
-  return at;
-}
-
-/// Parameters and body of a function; empty when the source does not define it.
+/// Parameters and body of a function.
 struct Definition {
   Tokens parameters;
   Tokens body;
 };
 
-Definition definitionOf(const Tokens& tokens, std::string_view function) {
-  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
-    if (tokens[i] != function || tokens[i + 1] != "(") continue;
-    const std::size_t end = closing(tokens, i + 1, "(", ")");
-    if (end + 1 >= tokens.size() || tokens[end + 1] != "{") continue;
-    const std::size_t last = closing(tokens, end + 1, "{", "}");
-    const auto from = [&tokens](std::size_t at) { return tokens.begin() + static_cast<std::ptrdiff_t>(at); };
-    return {Tokens(from(i + 2), from(end)), Tokens(from(end + 2), from(last))};
-  }
-  return {};
-}
-
 /// The function's definition, and those of what it calls, that the source holds.
-std::vector<Definition> definitionsBelow(const Tokens& tokens, std::string_view function) {
+std::vector<Definition> definitionsBelow(std::string_view source, std::string_view function) {
   constexpr std::size_t most = 20;
   std::vector<std::string_view> names{function};
   std::vector<Definition> found;
   for (std::size_t i = 0; i < names.size() && i < most; ++i) {
-    found.push_back(definitionOf(tokens, names[i]));
+    const std::optional<FunctionText> text = functionText(source, names[i]);
+    if (!text) continue;
+    found.push_back({sourceTokens(text->parameters), sourceTokens(text->body)});
     const Tokens& body = found.back().body;
     for (std::size_t at = 0; at + 1 < body.size(); ++at) {
       if (body[at + 1] == "(" && std::ranges::find(names, body[at]) == names.end()) names.push_back(body[at]);
@@ -128,7 +109,7 @@ std::optional<std::string_view> cutNumber(const Definition& definition) {
 }  // namespace
 
 std::optional<SourceClue> integerDivision(std::string_view source, std::string_view function) {
-  for (const Definition& definition : definitionsBelow(sourceTokens(source), function)) {
+  for (const Definition& definition : definitionsBelow(source, function)) {
     const Tokens& body = definition.body;
     for (std::size_t i = 0; i < body.size(); ++i) {
       if (dividesWholeNumbers(body, i)) {
@@ -145,7 +126,7 @@ std::optional<SourceClue> integerDivision(std::string_view source, std::string_v
 }
 
 std::optional<SourceClue> wholeVariable(std::string_view source, std::string_view function) {
-  for (const Definition& definition : definitionsBelow(sourceTokens(source), function)) {
+  for (const Definition& definition : definitionsBelow(source, function)) {
     if (const auto type = cutNumber(definition)) {
       return SourceClue{"whole_numbers", lineOf(source, *type), std::string(*type)};
     }

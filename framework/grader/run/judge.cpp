@@ -50,6 +50,7 @@ std::vector<std::string> commandFor(const Workplace& workplace, const Candidate&
   };
   if (isSecond) command.emplace_back("--sanitised");
   if (look == Look::OtherFill) command.emplace_back("--refilled");
+  if (options.forAuthors) command.emplace_back("--for-authors");
   return command;
 }
 

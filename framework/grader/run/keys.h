@@ -17,6 +17,8 @@ struct GradeOptions {
   std::string seed;        ///< the instructor's; the inputs of every exercise derive from it
   bool fresh = false;      ///< build and run again although a verdict is kept
   bool withCurves = true;  ///< draw the demo's curves
+  /// The same inputs for every hand-in, and records that hold what authors compare: no grading of students.
+  bool forAuthors = false;
 };
 
 /// Names everything that a compiled hand-in is made of: the exercise, its files, contract, harness, glue, flags,
@@ -33,7 +35,7 @@ std::string curvesKey(const Workplace& workplace, const Manifest& manifest, cons
                       const GradeOptions& options);
 
 /// The inputs of an exercise follow from the instructor's seed and the files alone: another hand-in gets other numbers,
-/// the same hand-in the same ones on every machine.
+/// the same hand-in the same ones on every machine. For authors they follow from the seed alone.
 std::uint64_t inputSeed(const Manifest& manifest, const Sources& sources, const GradeOptions& options);
 
 /// The instructor's seed kept in the build folder; made at random on first use. Two that start at once agree on one.

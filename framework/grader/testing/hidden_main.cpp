@@ -13,9 +13,11 @@
 #include "grader/remote/own_lower.h"
 #include "grader/sandbox/sandbox.h"
 #include "grader/testing/gather_evidence.h"
+#include "grader/testing/listed_mistakes.h"
 #include "grader/testing/of_use.h"
 #include "grader/testing/recorder.h"
 #include "grader/testing/shrink.h"
+#include "grader/testing/wrong_answers.h"
 
 #include <fmt/format.h>
 #include <filesystem>
@@ -43,6 +45,7 @@ struct Options {
   int wallMilliseconds = 30'000;
   bool sanitised = false;
   bool refilled = false;
+  bool forAuthors = false;            ///< the record holds what authors compare, too
   std::string contract;               ///< the header, for names and ranges
   std::vector<std::string> ownLower;  ///< given::f of these is the student's f
 };
@@ -100,6 +103,7 @@ Options readOptions(int argc, char** argv) {
   program.option("--wall-milliseconds", options.wallMilliseconds, "");
   program.flag("--sanitised", options.sanitised, "");
   program.flag("--refilled", options.refilled, "");
+  program.flag("--for-authors", options.forAuthors, "");
   program.option("--contract", options.contract, "");
   program.option("--own-lower", options.ownLower, "").separator(',');
   program.option("--seed", options.seed, "").required();
@@ -150,12 +154,14 @@ Outcome outcomeOf(const Verdict& verdict, const Session& session) {
 
 /// What the calls say, for the pool: it sees all criteria. Of memory that was never written the numbers are nobody's: a
 /// NaN of the fill is no missing guard.
-Evidence evidenceOf(const Verdict& verdict, const Session& session) {
+Evidence evidenceOf(const Verdict& verdict, const Session& session, bool forAuthors) {
   Evidence evidence;
   for (const auto& [function, history] : CallHistoryBase::all()) {
     if (function == verdict.neverWritten) continue;
     FunctionEvidence found = gatherEvidence(*history);
     found.isStateful = verdict.outcome == Outcome::Wrong && session.unreliable().contains(function);
+    if (forAuthors && found.wrong > 0) found.answers = sampleOfWrongAnswers(*history);
+    if (forAuthors && verdict.outcome == Outcome::Passed) found.listed = listedMistakes(*history);
     if (found.calls > 0) evidence.emplace(function, std::move(found));
   }
   return evidence;
@@ -208,7 +214,7 @@ int run(int argc, char** argv) {
     verdict.outcome = outcomeOf(verdict, session);
     verdict.neverWritten = session.neverWritten();
     if (options.ownLower.empty()) {
-      verdict.evidence = evidenceOf(verdict, session);
+      verdict.evidence = evidenceOf(verdict, session, options.forAuthors);
       verdict.examples = examplesOf(verdict, options.contract);
     }
   } else {

@@ -108,6 +108,17 @@ TEST(KillMatrix, MarksWhatIsOtherwise) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
 }
 
+TEST(KillMatrix, IsNotGoodWhereTwoMistakesAreOne) {
+  TopicMatrix matrix;
+  matrix.manifest = titledManifest();
+  EXPECT_TRUE(matrix.good());
+  matrix.mistakesNotToldApart = {"rope and halved of springForce give the same numbers in every call"};
+  EXPECT_FALSE(matrix.good());
+  EXPECT_NE(matrixText(matrix).find("  ! of the listed mistakes: rope and halved of springForce give"),
+            std::string::npos)
+      << "without mutants, too";
+}
+
 TEST(KillMatrix, CsvHasALineACriterion) {
   TopicMatrix matrix;
   matrix.manifest = titledManifest();

@@ -112,6 +112,20 @@ TEST(Naming, LooksAtAllCriteria) {
   EXPECT_TRUE(both.verdicts.at("Force").mistakes.empty());
 }
 
+TEST(Naming, AsksNothingOfARunWithTheReferencesFunction) {
+  ForceHistory doubled, right;
+  ask(doubled, [](double x, double k, double L0) { return 2 * rightForce(x, k, L0); });
+  ask(right, rightForce);
+  Verdict followed = lostBy(right, "Later");
+  followed.tests.front().passed = true;
+  followed.outcome = Outcome::Passed;
+  followed.followed = {"force"};
+  GradedExercise exercise = exerciseOf({lostBy(doubled), followed});
+  nameMistakes(exercise, springContract, "");
+  ASSERT_EQ(exercise.verdicts.at("Force").mistakes.size(), 1U);
+  EXPECT_EQ(exercise.verdicts.at("Force").mistakes.front().id, "doubled");
+}
+
 TEST(Naming, PrefersTheManifestsWordsAndSaysBothWhereTwoFit) {
   ForceHistory history;
   history.addMistake("twice", [](double x, double k, double L0) { return 2 * rightForce(x, k, L0); });

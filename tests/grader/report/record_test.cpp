@@ -79,11 +79,21 @@ TEST_F(Record, KeepsWhatWasComparedAndTheOutcome) {
             (std::vector<long>{2, 3, 4, 5, 6, 7}));
 }
 
+TEST_F(Record, KeepsWhatAuthorsCompare) {
+  Verdict v = verdict("HookeForce", 1, 1);
+  FunctionEvidence& evidence = v.evidence["springForce"];
+  evidence.answers = {{0xfedcba9876543210ULL, {0.1, std::numeric_limits<double>::infinity()}, 1e-12}};
+  evidence.listed = {{"wrong_sign", 2}, {"threshold", 0}};
+  const auto back = travelled(v);
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(back->evidence, v.evidence);
+}
+
 TEST_F(Record, OfAnotherVersionIsAsIfAbsent) {
   const Verdict v = verdict("HookeForce", 1, 0);
   EXPECT_TRUE(travelled(v).has_value());
-  EXPECT_FALSE(tampered(v, "\"version\": 6", "\"version\": 1"));
-  EXPECT_FALSE(tampered(v, "\"version\": 6", "\"release\": 6"));
+  EXPECT_FALSE(tampered(v, "\"version\": 7", "\"version\": 1"));
+  EXPECT_FALSE(tampered(v, "\"version\": 7", "\"release\": 7"));
   EXPECT_FALSE(tampered(v, "\"outcome\": \"passed\"", "\"outcome\": \"splendid\""));
 }
 
