@@ -33,15 +33,23 @@ bool readProcess(const std::filesystem::path& folder, Process& process) {
   return true;
 }
 
-std::map<pid_t, Process> allProcesses() {
-  std::map<pid_t, Process> processes;
+std::set<pid_t> allPids() {
+  std::set<pid_t> pids;
   std::error_code error;
   for (std::filesystem::directory_iterator entry("/proc", error), end; !error && entry != end; entry.increment(error)) {
     const std::string name = entry->path().filename();
-    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    if (name.find_first_not_of("0123456789") == std::string::npos) pids.insert(static_cast<pid_t>(std::stol(name)));
+  }
+  return pids;
+}
+
+/// Those that came after `older`: to read the others, again and again, would take a core from what is hunted.
+std::map<pid_t, Process> processesSince(const std::set<pid_t>& older) {
+  std::map<pid_t, Process> processes;
+  for (const pid_t pid : allPids()) {
     Process process;
-    if (readProcess(entry->path(), process) && !process.hasEnded())
-      processes[static_cast<pid_t>(std::stol(name))] = process;
+    if (!older.contains(pid) && readProcess("/proc/" + std::to_string(pid), process) && !process.hasEnded())
+      processes[pid] = process;
   }
   return processes;
 }
@@ -78,7 +86,7 @@ bool hit(pid_t pid, int signal) {
 }  // namespace
 
 Hunter::Hunter(std::string name, int signal, int most)
-    : name_(name.substr(0, 15)), signal_(signal), most_(most), thread_([this] { hunt(); }) {}
+    : name_(name.substr(0, 15)), signal_(signal), most_(most), older_(allPids()), thread_([this] { hunt(); }) {}
 
 Hunter::~Hunter() {
   ends_ = true;
@@ -88,7 +96,7 @@ Hunter::~Hunter() {
 void Hunter::hunt() {
   std::set<pid_t> seen;  // each once: a stopped process is still there
   while (!ends_ && hits_ < most_) {
-    const std::map<pid_t, Process> processes = allProcesses();
+    const std::map<pid_t, Process> processes = processesSince(older_);
     for (const auto& [pid, process] : processes) {
       if (process.name != name_ || seen.contains(pid) || isForkOfItsLike(processes, process)) continue;
       if (!descends(processes, pid)) continue;

@@ -1,5 +1,7 @@
 #pragma once
+#include <sys/types.h>
 #include <atomic>
+#include <set>
 #include <string>
 #include <thread>
 
@@ -24,6 +26,7 @@ class Hunter {
   std::string name_;
   int signal_;
   int most_;
+  std::set<pid_t> older_;  ///< processes that were there before
   std::atomic<int> hits_{0};
   std::atomic<bool> ends_{false};
   std::thread thread_;
