@@ -45,7 +45,9 @@ class Shrinker {
     if (!first) return std::nullopt;
     base_ = *first;
     mustBeVisible_ = isVisible(base_);
-    for (const Prediction& each : predictionsOf(history_)) remember(each.numbers);
+    if (!isConstant()) {
+      for (const Prediction& each : predictionsOf(history_)) remember(each.numbers);
+    }
     for (int pass = 0; pass < mostPasses; ++pass) {
       const std::size_t before = base_;
       shrinkAll();
@@ -81,6 +83,14 @@ class Shrinker {
     return found;
   }
 
+  /// What always answers the same is told to do that: where a hypothesis agrees, it does so by chance.
+  bool isConstant() const {
+    for (std::size_t call = 1; call < asked_; ++call) {
+      if (history_.outcome(call) != history_.outcome(0)) return false;
+    }
+    return asked_ > 1;
+  }
+
   /// Of the hypotheses those count that explain all calls.
   void remember(const Predicted& predicted) {
     for (std::size_t call = 0; call < asked_; ++call) {
@@ -107,16 +117,22 @@ class Shrinker {
     }
   }
 
-  double sizeOf(const Leaf& leaf) const { return numbersAt(leaf).front(); }
-
-  Numbers numbersAt(const Leaf& leaf) const {
-    for (ArgumentItem& item : history_.items(base_)) {
-      if (item.leaf == Leaf{leaf.argument, leaf.field, -1}) {
-        return leaf.component < 0 ? item.numbers : Numbers{item.numbers[static_cast<std::size_t>(leaf.component)]};
-      }
+  double sizeOf(const Leaf& leaf) const {
+    for (const ArgumentItem& item : history_.items(base_)) {
+      if (item.kind == Kind::List && item.leaf == leaf) return item.numbers.front();
     }
-    return {0.0};
+    return 0.0;
   }
+
+  /// Those of a call; a list of numbers has the place of its length.
+  Numbers numbersAt(const Leaf& leaf, std::size_t call) const {
+    for (ArgumentItem& item : history_.items(call)) {
+      if (item.kind == Kind::List || item.leaf != Leaf{leaf.argument, leaf.field, -1}) continue;
+      return leaf.component < 0 ? item.numbers : Numbers{item.numbers[static_cast<std::size_t>(leaf.component)]};
+    }
+    return {};
+  }
+  Numbers numbersAt(const Leaf& leaf) const { return numbersAt(leaf, base_); }
 
   void shrinkNumber(const Leaf& leaf) {
     for (const double simple : simpleNumbers) {
@@ -146,14 +162,33 @@ class Shrinker {
     }
   }
 
-  /// A unit vector becomes an axis.
+  /// A unit vector becomes an axis, or else one of few digits.
   void shrinkDirection(const Leaf& leaf) {
     for (const double along : {1.0, -1.0}) {
       for (const int axis : {2, 0, 1}) {
-        int component = 0;
-        if (attempt({leaf, [&component, axis, along](double) { return component++ == axis ? along : 0.0; }})) return;
+        Numbers unit{0, 0, 0};
+        unit[static_cast<std::size_t>(axis)] = along;
+        if (becomes(leaf, unit)) return;
       }
     }
+    for (Numbers sizes : {Numbers{0, 0.6, 0.8}, Numbers{0.48, 0.6, 0.64}, Numbers{0.36, 0.48, 0.8}}) {
+      do {
+        if (becomes(leaf, signedAs(numbersAt(leaf), sizes))) return;
+      } while (std::ranges::next_permutation(sizes).found);
+    }
+  }
+
+  static Numbers signedAs(const Numbers& numbers, Numbers sizes) {
+    for (std::size_t i = 0; i < sizes.size() && i < numbers.size(); ++i) sizes[i] = std::copysign(sizes[i], numbers[i]);
+    return sizes;
+  }
+
+  /// Whether a vector is `numbers`, or may become that.
+  bool becomes(const Leaf& leaf, const Numbers& numbers) {
+    const Numbers now = numbersAt(leaf);
+    if (now.size() != numbers.size()) return false;
+    std::size_t component = 0;
+    return now == numbers || attempt({leaf, [&](double) { return numbers[component++]; }});
   }
 
   /// A vector that has length 1 in all calls is a direction: the contract asks for that.
@@ -166,16 +201,30 @@ class Shrinker {
     return true;
   }
 
-  /// Within the contract's range, where it has one.
+  /// Within the contract's range, where it has one. That of a list of numbers is about its length: where all numbers
+  /// that it was asked with are positive, masses perhaps, others are not passed.
   bool isAllowed(const Leaf& leaf, double number) const {
     const auto index = static_cast<std::size_t>(leaf.argument);
     if (index >= parameters_.size() || leaf.component >= 0) return true;
+    if (isListOfNumbers(leaf)) return number > 0 || !isAlwaysPositive(leaf);
     const Parameter& parameter = parameters_[index];
     const auto field = static_cast<std::size_t>(leaf.field);
     const bool isField = leaf.field >= 0 && field < parameter.fields.size();
     const std::string& name = isField ? parameter.fields[field] : parameter.name;
     const auto range = std::ranges::find(ranges_, name, &Range::name);
     return range == ranges_.end() || (range->least <= number && number <= range->most);
+  }
+
+  bool isListOfNumbers(const Leaf& leaf) const {
+    return std::ranges::any_of(history_.items(base_),
+                               [&](const ArgumentItem& item) { return item.kind == Kind::List && item.leaf == leaf; });
+  }
+
+  bool isAlwaysPositive(const Leaf& leaf) const {
+    for (std::size_t call = 0; call < asked_; ++call) {
+      if (std::ranges::any_of(numbersAt(leaf, call), [](double number) { return number <= 0; })) return false;
+    }
+    return true;
   }
 
   /// Asks; keeps the edited call as the new base when it shows the same mistake.
