@@ -104,10 +104,38 @@ class Shrinker {
     for (const ArgumentItem& item : items) {
       if (item.kind == Kind::List) shrinkList(item.leaf);
     }
+    shrinkPlaces();
     for (const ArgumentItem& item : items) {
       if (item.kind == Kind::Number || item.kind == Kind::Field) shrinkNumber(item.leaf);
       if (item.kind == Kind::Vector) shrinkVector(item);
     }
+  }
+
+  /// Two places near each other, 1 and 1 + 2^-30, lose what is between them when one alone changes: both are moved
+  /// until the one lies at the origin.
+  void shrinkPlaces() {
+    const std::vector<ArgumentItem> items = history_.items(base_);
+    for (const ArgumentItem& place : items) {
+      for (const ArgumentItem& origin : items) {
+        const bool isPair =
+            place.kind != Kind::List && place.leaf != origin.leaf && areNear(place.numbers, origin.numbers);
+        if (isPair && attempt(movedBy(origin.numbers, place.leaf), movedBy(origin.numbers, origin.leaf))) return;
+      }
+    }
+  }
+
+  static bool areNear(const Numbers& a, const Numbers& b) {
+    if (a.size() != b.size() || a.size() > mostComponents) return false;
+    double distance = 0, size = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      distance = std::max(distance, std::abs(a[i] - b[i]));
+      size = std::max(size, std::abs(b[i]));
+    }
+    return distance < 1e-2 * size;
+  }
+
+  static Edit movedBy(const Numbers& way, const Leaf& leaf) {
+    return {leaf, [way, i = std::size_t{0}](double number) mutable { return number - way[i++ % way.size()]; }};
   }
 
   void shrinkList(const Leaf& leaf) {
@@ -229,16 +257,33 @@ class Shrinker {
 
   /// Asks; keeps the edited call as the new base when it shows the same mistake.
   bool attempt(const Edit& edit) {
+    const std::size_t before = history_.calls();
+    return ask(base_, edit) && keepsOrForgets(before);
+  }
+
+  /// The same for two changes at once.
+  bool attempt(const Edit& first, const Edit& second) {
+    const std::size_t before = history_.calls();
+    if (!ask(base_, first)) return false;
+    if (ask(before, second) && keepsOrForgets(before + 1)) return true;
+    history_.keepOnly(before);
+    return false;
+  }
+
+  bool ask(std::size_t call, const Edit& edit) {
     if (questions_++ >= mostQuestions) return false;
     const std::size_t before = history_.calls();
-    history_.ask(base_, edit);
-    if (history_.calls() == before) return false;
-    if (!showsTheSame(before)) {
-      history_.keepOnly(before);
-      return false;
+    history_.ask(call, edit);
+    return history_.calls() > before;
+  }
+
+  bool keepsOrForgets(std::size_t call) {
+    if (showsTheSame(call)) {
+      base_ = call;
+      return true;
     }
-    base_ = before;
-    return true;
+    history_.keepOnly(call);
+    return false;
   }
 
   bool showsTheSame(std::size_t call) const {

@@ -56,6 +56,25 @@ TEST(Shrink, AsksNothingOfAConstantButToBeWrong) {
   EXPECT_EQ(found, "force(0, 1, 1): you return 0, it is 1");
 }
 
+TEST(Shrink, MovesPlacesThatAreNearEachOther) {
+  CallHistory<double(const Vec3&, const Vec3&)> history;
+  const auto distance = [](const Vec3& a, const Vec3& b) { return 1e9 * (a - b).norm(); };
+  const auto own = [&](const Vec3& a, const Vec3& b) { return distance(a, b) < 1 ? 0.0 : distance(a, b); };
+  history.setOracle(distance);
+  history.setOwn([&](const Vec3& a, const Vec3& b) {
+    history.add(std::make_shared<const std::tuple<Vec3, Vec3>>(a, b), {own(a, b)});
+    return 0.0;
+  });
+  const Vec3 place(1, 2, 3);
+  for (const double apart : {0x1p-20, 0x1p-31, 0x1p-32}) {
+    const Vec3 other = place + Vec3(0, 0, apart);
+    history.add(std::make_shared<const std::tuple<Vec3, Vec3>>(other, place), {own(other, place)});
+  }
+  const auto example = simplestCounterExample("f", history, "double f(const Vec3& a, const Vec3& b);");
+  ASSERT_TRUE(example);
+  EXPECT_EQ(exampleSentence(*example), "f(Vec3(0, 0, 5e-10), Vec3(0, 0, 0)): you return 0, it is 0.5");
+}
+
 /// Answers for calls of a function of one argument, with `own` to be asked more.
 template <class Argument>
 std::string simplestOf(CallHistory<double(Argument)>& history, const std::function<double(Argument)>& oracle,
