@@ -2,8 +2,11 @@
 
 #include "grader/testing/generic_mistakes.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <ranges>
+#include <string>
 
 namespace muelle::grader {
 
@@ -22,8 +25,7 @@ constexpr double simpleNumbers[] = {0, 1, 2, 3, -1, -2, 10};
 
 double rounded(double number, int digits) {
   if (number == 0 || !std::isfinite(number)) return number;
-  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(number))) - (digits - 1));
-  return std::round(number / unit) * unit;
+  return std::stod(fmt::format("{:.{}g}", number, digits));  // 0.6, not 6 times 0.1
 }
 
 bool isUnit(const Numbers& numbers) {
@@ -50,7 +52,7 @@ class Shrinker {
     }
     for (int pass = 0; pass < mostPasses; ++pass) {
       const std::size_t before = base_;
-      shrinkAll();
+      shrinkAll(pass > 0);
       if (base_ == before) break;
     }
     return base_;
@@ -99,12 +101,13 @@ class Shrinker {
     agreeing_.push_back(predicted);
   }
 
-  void shrinkAll() {
+  /// \param isLate what was tried first has left numbers of many digits, perhaps
+  void shrinkAll(bool isLate) {
     const std::vector<ArgumentItem> items = history_.items(base_);
     for (const ArgumentItem& item : items) {
       if (item.kind == Kind::List) shrinkList(item.leaf);
     }
-    shrinkPlaces();
+    shrinkPlaces(isLate);
     for (const ArgumentItem& item : items) {
       if (item.kind == Kind::Number || item.kind == Kind::Field) shrinkNumber(item.leaf);
       if (item.kind == Kind::Vector) shrinkVector(item);
@@ -112,14 +115,17 @@ class Shrinker {
   }
 
   /// Two places near each other, 1 and 1 + 2^-30, lose what is between them when one alone changes: both are moved
-  /// until the one lies at the origin.
-  void shrinkPlaces() {
+  /// until the one lies at the origin. Late, any two vectors are tried, a node on a sphere and its centre.
+  void shrinkPlaces(bool isLate) {
     const std::vector<ArgumentItem> items = history_.items(base_);
-    for (const ArgumentItem& place : items) {
-      for (const ArgumentItem& origin : items) {
-        const bool isPair =
-            place.kind != Kind::List && place.leaf != origin.leaf && areNear(place.numbers, origin.numbers);
-        if (isPair && attempt(movedBy(origin.numbers, place.leaf), movedBy(origin.numbers, origin.leaf))) return;
+    for (const ArgumentItem& origin : items | std::views::reverse) {
+      if (std::ranges::all_of(origin.numbers, [](double number) { return number == 0; })) continue;
+      for (const ArgumentItem& place : items) {
+        const bool areVectors = place.kind == Kind::Vector && origin.kind == Kind::Vector &&
+                                place.numbers.size() == origin.numbers.size() && place.numbers.size() <= mostComponents;
+        if (place.kind == Kind::List || place.leaf == origin.leaf) continue;
+        if (!areNear(place.numbers, origin.numbers) && !(isLate && areVectors)) continue;
+        if (attempt(movedBy(origin.numbers, place.leaf), movedBy(origin.numbers, origin.leaf))) return;
       }
     }
   }
