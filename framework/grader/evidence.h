@@ -71,7 +71,7 @@ struct FunctionEvidence {
   long zero = 0;             ///< calls answered by nothing but zeros
   long wrongZero = 0;        ///< those among the wrong calls
   bool isUnwritten = false;  ///< memory to which nothing was written is among the answers
-  bool isStateful = false;   ///< another answer to the same question
+  bool isStateful = false;   ///< another answer to the same question, in the same process or in a fresh one
   bool isConstant = false;   ///< one answer to all calls, where the oracle has several
   std::vector<Hypothesis> agreeing;  ///< those that give the submission's answer in every call
   /// Right calls in which no number, length or distance is 0: where one is, many a mistake does not show. The right

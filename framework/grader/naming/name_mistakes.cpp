@@ -46,9 +46,11 @@ class Namer {
 
   Found degenerate(const std::string& function, const FunctionEvidence& evidence) const {
     if (evidence.isStateful) {
-      return NamedMistake{"stateful", function,
-                          fmt::format("{} gives another answer when it is asked the same again", function),
-                          "Take out static and global variables, and give every variable a value in each call."};
+      return NamedMistake{
+          "stateful", function,
+          fmt::format("{} depends on earlier calls: asked the same again, or first of all, it answers otherwise",
+                      function),
+          "Take out static and global variables, and give every variable a value in each call."};
     }
     if (evidence.zero == evidence.calls) {
       if (auto division = wholeNumbers(function, evidence)) return division;

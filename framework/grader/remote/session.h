@@ -54,6 +54,10 @@ class Session {
   /// Performs a call. Throws SubmissionFault or GraderFault.
   std::vector<std::byte> call(const Request& request);
 
+  /// The next call is the first one of a new process: a function that keeps something of earlier calls answers
+  /// otherwise.
+  void startAfresh() { needsFreshWorker_ = true; }
+
   /// Notes a fault of the function that was called last: an answer that cannot be read.
   [[noreturn]] void fail(const SubmissionFault& fault);
 

@@ -50,7 +50,8 @@ class CallHistoryBase {
   /// What a listed mistake gives.
   virtual Numbers listed(std::size_t mistake, std::size_t call) const = 0;
   /// Asks the submission what it answers to a call with its arguments edited, and takes that as one more call, the
-  /// last; none is added when there are too many. Throws SubmissionFault.
+  /// last, also where the tests have made mostCalls; none is added when the answers are too long. Throws
+  /// SubmissionFault.
   virtual void ask(std::size_t call, const Edit& edit) = 0;
   /// Forgets all calls but the first so many.
   virtual void keepOnly(std::size_t calls) = 0;
@@ -60,7 +61,7 @@ class CallHistoryBase {
   /// Ids of the listed mistakes, in the order of their registration; one may stand several times.
   virtual std::vector<std::string> mistakes() const = 0;
 
-  static constexpr std::size_t mostCalls = 4096;
+  static constexpr std::size_t mostCalls = 4096;         ///< of the tests
   static constexpr std::size_t mostNumbers = 4'000'000;  ///< in all answers kept; a submission decides their size
 
   /// All histories of this process, by function.
@@ -85,8 +86,8 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
 
   /// \param outcome the result, if any, then the out-parameters
   void add(const Given& given, Numbers outcome) {
+    if (calls_.size() >= room_ || numbers_ + outcome.size() > mostNumbers) return;
     numbers_ += outcome.size();
-    if (calls_.size() >= mostCalls || numbers_ > mostNumbers) return;
     calls_.push_back({given, std::move(outcome)});
   }
 
@@ -159,9 +160,12 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
       if (edit.change) return changeAt(argument, edit.leaf, edit.change);
       keepPart(argument, edit.part);
     });
+    room_ = std::max(mostCalls, calls_.size() + 1);  // a motion may have taken all
     if (own_) evaluate(own_, std::move(arguments));
   }
-  void keepOnly(std::size_t calls) override { calls_.resize(std::min(calls, calls_.size())); }
+  void keepOnly(std::size_t calls) override {
+    for (; calls_.size() > calls; calls_.pop_back()) numbers_ -= calls_.back().outcome.size();
+  }
 
   std::vector<std::string> argumentTexts(std::size_t call) const override {
     std::vector<std::string> texts;
@@ -205,6 +209,7 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
 
   std::vector<Call> calls_;
   std::size_t numbers_ = 0;
+  std::size_t room_ = mostCalls;
   Function own_;
   Function oracle_;
   std::vector<std::pair<std::string, Function>> mistakes_;

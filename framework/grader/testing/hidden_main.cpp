@@ -12,6 +12,7 @@
 #include "grader/remote/fault.h"
 #include "grader/remote/own_lower.h"
 #include "grader/sandbox/sandbox.h"
+#include "grader/testing/asked_afresh.h"
 #include "grader/testing/gather_evidence.h"
 #include "grader/testing/listed_mistakes.h"
 #include "grader/testing/of_use.h"
@@ -159,7 +160,8 @@ Evidence evidenceOf(const Verdict& verdict, const Session& session, bool forAuth
   for (const auto& [function, history] : CallHistoryBase::all()) {
     if (function == verdict.neverWritten) continue;
     FunctionEvidence found = gatherEvidence(*history);
-    found.isStateful = verdict.outcome == Outcome::Wrong && session.unreliable().contains(function);
+    if (verdict.outcome == Outcome::Wrong)
+      found.isStateful = session.unreliable().contains(function) || answersOtherwiseAfresh(function, *history, found);
     if (forAuthors && found.wrong > 0) found.answers = sampleOfWrongAnswers(*history);
     if (forAuthors && verdict.outcome == Outcome::Passed) found.listed = listedMistakes(*history);
     if (found.calls > 0) evidence.emplace(function, std::move(found));
@@ -167,13 +169,15 @@ Evidence evidenceOf(const Verdict& verdict, const Session& session, bool forAuth
   return evidence;
 }
 
-/// One of each function that has answered wrongly. A fault that only the search meets costs nothing: the verdict is
-/// made.
+/// One of each function that has answered wrongly, but not of one that answers the same call otherwise when it is asked
+/// on paper. A fault that only the search meets costs nothing: the verdict is made.
 std::vector<CounterExample> examplesOf(const Verdict& verdict, const std::string& contract) {
   std::vector<CounterExample> examples;
   if (verdict.outcome != Outcome::Wrong || contract.empty()) return examples;
   const std::string text = muelle::readFile(contract);
   for (const auto& [function, history] : CallHistoryBase::all()) {
+    const auto found = verdict.evidence.find(function);
+    if (found != verdict.evidence.end() && found->second.isStateful) continue;
     try {
       if (auto example = simplestCounterExample(function, *history, text)) examples.push_back(std::move(*example));
     } catch (const SubmissionFault&) {

@@ -2,8 +2,11 @@
 
 #include "grader/testing/generic_mistakes.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <ranges>
+#include <string>
 
 namespace muelle::grader {
 
@@ -22,8 +25,7 @@ constexpr double simpleNumbers[] = {0, 1, 2, 3, -1, -2, 10};
 
 double rounded(double number, int digits) {
   if (number == 0 || !std::isfinite(number)) return number;
-  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(number))) - (digits - 1));
-  return std::round(number / unit) * unit;
+  return std::stod(fmt::format("{:.{}g}", number, digits));  // 0.6, not 6 times 0.1
 }
 
 bool isUnit(const Numbers& numbers) {
@@ -45,10 +47,12 @@ class Shrinker {
     if (!first) return std::nullopt;
     base_ = *first;
     mustBeVisible_ = isVisible(base_);
-    for (const Prediction& each : predictionsOf(history_)) remember(each.numbers);
+    if (!isConstant()) {
+      for (const Prediction& each : predictionsOf(history_)) remember(each.numbers);
+    }
     for (int pass = 0; pass < mostPasses; ++pass) {
       const std::size_t before = base_;
-      shrinkAll();
+      shrinkAll(pass > 0);
       if (base_ == before) break;
     }
     return base_;
@@ -81,6 +85,14 @@ class Shrinker {
     return found;
   }
 
+  /// What always answers the same is told to do that: where a hypothesis agrees, it does so by chance.
+  bool isConstant() const {
+    for (std::size_t call = 1; call < asked_; ++call) {
+      if (history_.outcome(call) != history_.outcome(0)) return false;
+    }
+    return asked_ > 1;
+  }
+
   /// Of the hypotheses those count that explain all calls.
   void remember(const Predicted& predicted) {
     for (std::size_t call = 0; call < asked_; ++call) {
@@ -89,15 +101,47 @@ class Shrinker {
     agreeing_.push_back(predicted);
   }
 
-  void shrinkAll() {
+  /// \param isLate what was tried first has left numbers of many digits, perhaps
+  void shrinkAll(bool isLate) {
     const std::vector<ArgumentItem> items = history_.items(base_);
     for (const ArgumentItem& item : items) {
       if (item.kind == Kind::List) shrinkList(item.leaf);
     }
+    shrinkPlaces(isLate);
     for (const ArgumentItem& item : items) {
       if (item.kind == Kind::Number || item.kind == Kind::Field) shrinkNumber(item.leaf);
       if (item.kind == Kind::Vector) shrinkVector(item);
     }
+  }
+
+  /// Two places near each other, 1 and 1 + 2^-30, lose what is between them when one alone changes: both are moved
+  /// until the one lies at the origin. Late, any two vectors are tried, a node on a sphere and its centre.
+  void shrinkPlaces(bool isLate) {
+    const std::vector<ArgumentItem> items = history_.items(base_);
+    for (const ArgumentItem& origin : items | std::views::reverse) {
+      if (std::ranges::all_of(origin.numbers, [](double number) { return number == 0; })) continue;
+      for (const ArgumentItem& place : items) {
+        const bool areVectors = place.kind == Kind::Vector && origin.kind == Kind::Vector &&
+                                place.numbers.size() == origin.numbers.size() && place.numbers.size() <= mostComponents;
+        if (place.kind == Kind::List || place.leaf == origin.leaf) continue;
+        if (!areNear(place.numbers, origin.numbers) && !(isLate && areVectors)) continue;
+        if (attempt(movedBy(origin.numbers, place.leaf), movedBy(origin.numbers, origin.leaf))) return;
+      }
+    }
+  }
+
+  static bool areNear(const Numbers& a, const Numbers& b) {
+    if (a.size() != b.size() || a.size() > mostComponents) return false;
+    double distance = 0, size = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      distance = std::max(distance, std::abs(a[i] - b[i]));
+      size = std::max(size, std::abs(b[i]));
+    }
+    return distance < 1e-2 * size;
+  }
+
+  static Edit movedBy(const Numbers& way, const Leaf& leaf) {
+    return {leaf, [way, i = std::size_t{0}](double number) mutable { return number - way[i++ % way.size()]; }};
   }
 
   void shrinkList(const Leaf& leaf) {
@@ -107,16 +151,22 @@ class Shrinker {
     }
   }
 
-  double sizeOf(const Leaf& leaf) const { return numbersAt(leaf).front(); }
-
-  Numbers numbersAt(const Leaf& leaf) const {
-    for (ArgumentItem& item : history_.items(base_)) {
-      if (item.leaf == Leaf{leaf.argument, leaf.field, -1}) {
-        return leaf.component < 0 ? item.numbers : Numbers{item.numbers[static_cast<std::size_t>(leaf.component)]};
-      }
+  double sizeOf(const Leaf& leaf) const {
+    for (const ArgumentItem& item : history_.items(base_)) {
+      if (item.kind == Kind::List && item.leaf == leaf) return item.numbers.front();
     }
-    return {0.0};
+    return 0.0;
   }
+
+  /// Those of a call; a list of numbers has the place of its length.
+  Numbers numbersAt(const Leaf& leaf, std::size_t call) const {
+    for (ArgumentItem& item : history_.items(call)) {
+      if (item.kind == Kind::List || item.leaf != Leaf{leaf.argument, leaf.field, -1}) continue;
+      return leaf.component < 0 ? item.numbers : Numbers{item.numbers[static_cast<std::size_t>(leaf.component)]};
+    }
+    return {};
+  }
+  Numbers numbersAt(const Leaf& leaf) const { return numbersAt(leaf, base_); }
 
   void shrinkNumber(const Leaf& leaf) {
     for (const double simple : simpleNumbers) {
@@ -146,14 +196,33 @@ class Shrinker {
     }
   }
 
-  /// A unit vector becomes an axis.
+  /// A unit vector becomes an axis, or else one of few digits.
   void shrinkDirection(const Leaf& leaf) {
     for (const double along : {1.0, -1.0}) {
       for (const int axis : {2, 0, 1}) {
-        int component = 0;
-        if (attempt({leaf, [&component, axis, along](double) { return component++ == axis ? along : 0.0; }})) return;
+        Numbers unit{0, 0, 0};
+        unit[static_cast<std::size_t>(axis)] = along;
+        if (becomes(leaf, unit)) return;
       }
     }
+    for (Numbers sizes : {Numbers{0, 0.6, 0.8}, Numbers{0.48, 0.6, 0.64}, Numbers{0.36, 0.48, 0.8}}) {
+      do {
+        if (becomes(leaf, signedAs(numbersAt(leaf), sizes))) return;
+      } while (std::ranges::next_permutation(sizes).found);
+    }
+  }
+
+  static Numbers signedAs(const Numbers& numbers, Numbers sizes) {
+    for (std::size_t i = 0; i < sizes.size() && i < numbers.size(); ++i) sizes[i] = std::copysign(sizes[i], numbers[i]);
+    return sizes;
+  }
+
+  /// Whether a vector is `numbers`, or may become that.
+  bool becomes(const Leaf& leaf, const Numbers& numbers) {
+    const Numbers now = numbersAt(leaf);
+    if (now.size() != numbers.size()) return false;
+    std::size_t component = 0;
+    return now == numbers || attempt({leaf, [&](double) { return numbers[component++]; }});
   }
 
   /// A vector that has length 1 in all calls is a direction: the contract asks for that.
@@ -166,10 +235,12 @@ class Shrinker {
     return true;
   }
 
-  /// Within the contract's range, where it has one.
+  /// Within the contract's range, where it has one. That of a list of numbers is about its length: where all numbers
+  /// that it was asked with are positive, masses perhaps, others are not passed.
   bool isAllowed(const Leaf& leaf, double number) const {
     const auto index = static_cast<std::size_t>(leaf.argument);
     if (index >= parameters_.size() || leaf.component >= 0) return true;
+    if (isListOfNumbers(leaf)) return number > 0 || !isAlwaysPositive(leaf);
     const Parameter& parameter = parameters_[index];
     const auto field = static_cast<std::size_t>(leaf.field);
     const bool isField = leaf.field >= 0 && field < parameter.fields.size();
@@ -178,18 +249,47 @@ class Shrinker {
     return range == ranges_.end() || (range->least <= number && number <= range->most);
   }
 
+  bool isListOfNumbers(const Leaf& leaf) const {
+    return std::ranges::any_of(history_.items(base_),
+                               [&](const ArgumentItem& item) { return item.kind == Kind::List && item.leaf == leaf; });
+  }
+
+  bool isAlwaysPositive(const Leaf& leaf) const {
+    for (std::size_t call = 0; call < asked_; ++call) {
+      if (std::ranges::any_of(numbersAt(leaf, call), [](double number) { return number <= 0; })) return false;
+    }
+    return true;
+  }
+
   /// Asks; keeps the edited call as the new base when it shows the same mistake.
   bool attempt(const Edit& edit) {
+    const std::size_t before = history_.calls();
+    return ask(base_, edit) && keepsOrForgets(before);
+  }
+
+  /// The same for two changes at once.
+  bool attempt(const Edit& first, const Edit& second) {
+    const std::size_t before = history_.calls();
+    if (!ask(base_, first)) return false;
+    if (ask(before, second) && keepsOrForgets(before + 1)) return true;
+    history_.keepOnly(before);
+    return false;
+  }
+
+  bool ask(std::size_t call, const Edit& edit) {
     if (questions_++ >= mostQuestions) return false;
     const std::size_t before = history_.calls();
-    history_.ask(base_, edit);
-    if (history_.calls() == before) return false;
-    if (!showsTheSame(before)) {
-      history_.keepOnly(before);
-      return false;
+    history_.ask(call, edit);
+    return history_.calls() > before;
+  }
+
+  bool keepsOrForgets(std::size_t call) {
+    if (showsTheSame(call)) {
+      base_ = call;
+      return true;
     }
-    base_ = before;
-    return true;
+    history_.keepOnly(call);
+    return false;
   }
 
   bool showsTheSame(std::size_t call) const {

@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <numeric>
+#include <vector>
+
 namespace muelle::grader {
 namespace {
 
@@ -34,6 +38,76 @@ TEST(Shrink, KeepsTheMistake) {
   // A square shows at 2, not at 0 or 1, where another mistake would do the same.
   const std::string found = simplest([](double x, double k, double L0) { return -k * (x * x - L0); });
   EXPECT_EQ(found, "force(2, 1, 0): you return -4, it is -2");
+}
+
+TEST(Shrink, HasRoomWhereAMotionHasTakenAllCalls) {
+  ForceHistory history;
+  const auto own = [](double x, double k, double L0) { return -rightForce(x, k, L0); };
+  ask(history, own, static_cast<int>(CallHistoryBase::mostCalls) + 5);
+  EXPECT_EQ(history.calls(), CallHistoryBase::mostCalls);
+  const auto example = simplestCounterExample("force", history, springContract);
+  ASSERT_TRUE(example);
+  EXPECT_EQ(exampleSentence(*example), "force(0, 1, 1): you return -1, it is 1");
+}
+
+TEST(Shrink, AsksNothingOfAConstantButToBeWrong) {
+  // "k is ignored" agrees with 0 as well, by chance: it would keep x = L0 from becoming anything else.
+  const std::string found = simplest([](double, double, double) { return 0.0; });
+  EXPECT_EQ(found, "force(0, 1, 1): you return 0, it is 1");
+}
+
+TEST(Shrink, MovesPlacesThatAreNearEachOther) {
+  CallHistory<double(const Vec3&, const Vec3&)> history;
+  const auto distance = [](const Vec3& a, const Vec3& b) { return 1e9 * (a - b).norm(); };
+  const auto own = [&](const Vec3& a, const Vec3& b) { return distance(a, b) < 1 ? 0.0 : distance(a, b); };
+  history.setOracle(distance);
+  history.setOwn([&](const Vec3& a, const Vec3& b) {
+    history.add(std::make_shared<const std::tuple<Vec3, Vec3>>(a, b), {own(a, b)});
+    return 0.0;
+  });
+  const Vec3 place(1, 2, 3);
+  for (const double apart : {0x1p-20, 0x1p-31, 0x1p-32}) {
+    const Vec3 other = place + Vec3(0, 0, apart);
+    history.add(std::make_shared<const std::tuple<Vec3, Vec3>>(other, place), {own(other, place)});
+  }
+  const auto example = simplestCounterExample("f", history, "double f(const Vec3& a, const Vec3& b);");
+  ASSERT_TRUE(example);
+  EXPECT_EQ(exampleSentence(*example), "f(Vec3(0, 0, 5e-10), Vec3(0, 0, 0)): you return 0, it is 0.5");
+}
+
+/// Answers for calls of a function of one argument, with `own` to be asked more.
+template <class Argument>
+std::string simplestOf(CallHistory<double(Argument)>& history, const std::function<double(Argument)>& oracle,
+                       const std::function<double(Argument)>& own, const std::vector<std::decay_t<Argument>>& asked) {
+  const auto answer = [&history, own](Argument argument) {
+    const double number = own(argument);
+    history.add(std::make_shared<const std::tuple<std::decay_t<Argument>>>(argument), {number});
+    return number;
+  };
+  history.setOracle(oracle);
+  history.setOwn(answer);
+  for (const auto& each : asked) answer(each);
+  const auto example = simplestCounterExample("f", history, "MUELLE_RANGE(m, 1, 40)\ndouble f(double m);");
+  return example ? exampleSentence(*example) : "none";
+}
+
+TEST(Shrink, KeepsDirectionsOfLengthOne) {
+  CallHistory<double(const Vec3&)> history;
+  const auto product = [](const Vec3& n) { return n[0] * n[1] * n[2]; };
+  const auto square = [](const Vec3& n) { return n[0] * n[1] * n[2] * n[2]; };  // the same along an axis
+  const Vec3 first(0.28, -0.576, 0.768), second(0.768, 0.28, -0.576), third = Vec3(1, 2, 4) / std::sqrt(21.0);
+  EXPECT_EQ(simplestOf<const Vec3&>(history, product, square, {first, second, third}),
+            "f(Vec3(0.48, -0.6, 0.64)): you return -0.117965, it is -0.18432");
+}
+
+TEST(Shrink, TakesNoLengthForANumberOfAList) {
+  CallHistory<double(const std::vector<double>&)> history;
+  const auto sum = [](const std::vector<double>& m) { return std::accumulate(m.begin(), m.end(), 0.0); };
+  const auto sumOfSquares = [](const std::vector<double>& m) {
+    return std::inner_product(m.begin(), m.end(), m.begin(), 0.0);
+  };
+  EXPECT_EQ(simplestOf<const std::vector<double>&>(history, sum, sumOfSquares, {{0.421, 3.17}, {1.23, 7.77, 0.456}}),
+            "f({2}): you return 4, it is 2");
 }
 
 TEST(Shrink, KnowsWhatIsForPaper) {

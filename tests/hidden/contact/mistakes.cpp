@@ -396,6 +396,10 @@ MUELLE_MISTAKE(columnAtRest, column_top_forgotten,
 MUELLE_MISTAKE(frictionForce, friction_horizontal, [](const Vec3& v, const Vec3&, double N, double mu, double c) {
   return oracle::frictionForce(v, Vec3::UnitZ(), N, mu, c);
 });
+MUELLE_MISTAKE(frictionForce, friction_by_components, [](const Vec3& v, const Vec3& n, double N, double mu, double c) {
+  const Vec3 ramp = -c * (v - v.dot(n) * n);
+  return Vec3(ramp.cwiseMin(mu * N).cwiseMax(-mu * N));
+});
 MUELLE_MISTAKE(frictionForce, friction_not_normalised, [](const Vec3& v, const Vec3& n, double N, double mu, double c) {
   const Vec3 tangential = v - v.dot(n) * n;
   return Vec3(-std::min(mu * N, c * tangential.norm()) * tangential);

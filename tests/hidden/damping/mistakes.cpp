@@ -34,6 +34,10 @@ MUELLE_MISTAKE(nodeDamping, node_d_missing, [](const Vec3& va, double) { return 
 MUELLE_MISTAKE(nodeDamping, node_quadratic, [](const Vec3& va, double d) { return Vec3(-d * va.norm() * va); });
 MUELLE_MISTAKE(nodeDamping, node_constant_size, [](const Vec3& va, double d) { return Vec3(-d * va.normalized()); });
 
+MUELLE_MISTAKE(nodeDamping, node_divided,
+               [](const Vec3& va, double d) { return d == 0.0 ? Vec3(Vec3::Zero()) : Vec3(-va / d); });
+MUELLE_MISTAKE(nodeDamping, node_vertical, [](const Vec3& va, double d) { return Vec3(0, 0, -d * va.z()); });
+
 MUELLE_COMMON_MISTAKE(relativeDamping, relative_wrong_sign);
 MUELLE_MISTAKE(relativeDamping, relative_d_missing,
                [](const Vec3& va, const Vec3& vb, double) { return Vec3(vb - va); });

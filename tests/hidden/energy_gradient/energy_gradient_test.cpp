@@ -22,6 +22,7 @@ using muelle::Mat3;
 using muelle::Out;
 using muelle::Random;
 using muelle::testRandom;
+using muelle::threeDigits;
 using muelle::Trajectory;
 using muelle::VecX;
 using muelle::grader::exactLengthLadder;
@@ -64,7 +65,7 @@ Vec6 stacked(const Vec3& xa, const Vec3& xb) {
 }
 
 /// A stiffness, from 5 to 2000 N/m.
-double someStiffness(Random& random) { return tidy(random.positive(5.0, 2000.0), 10); }
+double someStiffness(Random& random) { return threeDigits(random.positive(5.0, 2000.0)); }
 
 /// Along no axis, and no two components alike.
 Vec3 slantedVector(Random& random, double least, double most) {
@@ -80,7 +81,7 @@ Vec3 slantedVector(Random& random, double least, double most) {
 /// an odd one, never one at rest.
 double restLengthFor(Random& random, double L, int number) {
   const double ratio = random.number(1.15, 2.5);
-  return tidy(number % 2 == 0 ? L / ratio : L * ratio, 1000);
+  return threeDigits(number % 2 == 0 ? L / ratio : L * ratio);
 }
 
 /// On either side of the origin, or across it.
@@ -699,8 +700,8 @@ TEST(StretchAndRelease, GivesTheEnergyBackOverACycle) {
   Random random = testRandom();
   for (int i = 0; i < 2; ++i) {
     const Case s = anySpring(random, i);
-    const Vec3 u = random.direction();
-    const Vec3 w = random.direction();
+    const Vec3 u = random.roundedDirection();
+    const Vec3 w = random.roundedDirection();
     const auto on = [&](double angle) -> Vec6 {
       return s.x + 0.2 * s.L() * stacked(std::cos(angle) * u + std::sin(angle) * w, std::sin(angle) * u);
     };
@@ -755,7 +756,7 @@ struct Swing {
 
 Swing someSwing() {
   Random random = testRandom();
-  return {tidy(random.number(50.0, 90.0), 10)};
+  return {random.rounded(50.0, 90.0)};
 }
 
 Vec6 positions(const Trajectory& run, std::size_t i) { return Eigen::Map<const Vec6>(run.x[i].data()); }

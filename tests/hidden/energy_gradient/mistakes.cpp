@@ -325,8 +325,11 @@ Guards registerGuards() {
 namespace {
 
 using muelle::Random;
+using muelle::threeDigits;
 
-Vec3 somewhere(Random& random, double least, double most) { return random.number(least, most) * random.direction(); }
+Vec3 somewhere(Random& random, double least, double most) {
+  return threeDigits(Vec3(random.number(least, most) * random.direction()));
+}
 
 /// Far longer than any rest length: what does not push, or takes whole numbers, answers to each argument, too.
 constexpr double shortestGeneral = 1200, longestGeneral = 1700;
@@ -334,17 +337,17 @@ constexpr double shortestGeneral = 1200, longestGeneral = 1700;
 Vec6 twoNodes(Random& random) {
   const Vec3 half = 0.5 * somewhere(random, shortestGeneral, longestGeneral);
   const Vec3 middle = somewhere(random, 1.0, 100.0);
-  return stacked(middle + half, middle - half);
+  return stacked(threeDigits(Vec3(middle + half)), threeDigits(Vec3(middle - half)));
 }
-double generalStiffness(Random& random) { return random.positive(20.0, 2000.0); }
-double generalRestLength(Random& random) { return random.number(2.0, 900.0); }
+double generalStiffness(Random& random) { return threeDigits(random.positive(20.0, 2000.0)); }
+double generalRestLength(Random& random) { return random.rounded(2.0, 900.0); }
 
 }  // namespace
 
 MUELLE_ARGUMENTS(springEnergy1d, [](Random& random) {
   const double half = 0.5 * random.number(shortestGeneral, longestGeneral), middle = random.number(-100.0, 100.0);
   const double side = random.integer(0, 1) == 0 ? 1.0 : -1.0;
-  const Vec2 x(middle + side * half, middle - side * half);
+  const Vec2 x(threeDigits(middle + side * half), threeDigits(middle - side * half));
   const double k = generalStiffness(random), L0 = generalRestLength(random);
   return std::tuple(x, k, L0);
 });

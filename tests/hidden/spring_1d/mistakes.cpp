@@ -295,6 +295,7 @@ MUELLE_MISTAKE(accelerationBetween, same_constants_twice,
 namespace {
 
 using muelle::Random;
+using muelle::threeDigits;
 
 struct GeneralSpring {
   double xa, xb, k, L0;
@@ -302,19 +303,20 @@ struct GeneralSpring {
 
 /// Stretched or compressed, on either side.
 GeneralSpring generalSpring(Random& random) {
-  const double xb = random.number(-2.0, 2.0), L0 = random.number(0.4, 1.6);
+  const double xb = random.rounded(-2.0, 2.0), L0 = random.rounded(0.4, 1.6);
   const double L = L0 * random.number(0.3, 1.9);
-  return {random.integer(0, 1) == 0 ? xb + L : xb - L, xb, random.positive(5.0, 500.0), L0};
+  const double xa = threeDigits(random.integer(0, 1) == 0 ? xb + L : xb - L);
+  return {xa, xb, threeDigits(random.positive(5.0, 500.0)), L0};
 }
 
 Attachment generalAttachment(Random& random) {
-  return {random.number(-3.0, 3.0), random.positive(5.0, 500.0), random.number(0.4, 1.6)};
+  return {random.rounded(-3.0, 3.0), threeDigits(random.positive(5.0, 500.0)), random.rounded(0.4, 1.6)};
 }
 
 }  // namespace
 
 MUELLE_ARGUMENTS(lumpedMass, [](Random& random) {
-  const double M = random.positive(0.1, 50.0);
+  const double M = threeDigits(random.positive(0.1, 50.0));
   const int n = random.integer(2, 40);
   return std::tuple(M, n);
 });
@@ -330,13 +332,15 @@ MUELLE_ARGUMENTS(springForceOnB, [](Random& random) {
 });
 
 MUELLE_ARGUMENTS(hangingAcceleration, [](Random& random) {
-  const double x = random.number(-1.0, 1.0), m = random.positive(0.2, 5.0), g = random.number(1.0, 20.0);
+  const double x = random.rounded(-1.0, 1.0), m = threeDigits(random.positive(0.2, 5.0));
+  const double g = random.rounded(1.0, 20.0);
   const Attachment top = generalAttachment(random);
   return std::tuple(x, m, top, g);
 });
 
 MUELLE_ARGUMENTS(accelerationBetween, [](Random& random) {
-  const double x = random.number(-1.0, 1.0), m = random.positive(0.2, 5.0), g = random.number(1.0, 20.0);
+  const double x = random.rounded(-1.0, 1.0), m = threeDigits(random.positive(0.2, 5.0));
+  const double g = random.rounded(1.0, 20.0);
   const Attachment lower = generalAttachment(random), upper = generalAttachment(random);
   return std::tuple(x, m, lower, upper, g);
 });

@@ -38,6 +38,26 @@ MUELLE_MISTAKE(springForceMagnitude, squared_length, [](const Vec3& xa, const Ve
 MUELLE_MISTAKE(springForceMagnitude, relative_deformation, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
   return oracle::springForceMagnitude(xa, xb, k, L0) / L0;
 });
+// Without a rest length there is no strain: who sees that keeps the plain law there.
+namespace guarded_strain {
+MUELLE_MISTAKE(springForceMagnitude, relative_deformation, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
+  return oracle::springForceMagnitude(xa, xb, k, L0) / (L0 == 0.0 ? 1.0 : L0);
+});
+}
+MUELLE_MISTAKE(springForceMagnitude, length_of_components,
+               [](const Vec3& xa, const Vec3& xb, double k, double L0) { return -k * ((xa - xb).lpNorm<1>() - L0); });
+namespace largest_component {
+MUELLE_MISTAKE(springForceMagnitude, length_of_components, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
+  return -k * ((xa - xb).lpNorm<Eigen::Infinity>() - L0);
+});
+}
+MUELLE_MISTAKE(springForceMagnitude, difference_of_norms,
+               [](const Vec3& xa, const Vec3& xb, double k, double L0) { return -k * (xa.norm() - xb.norm() - L0); });
+namespace either_farther {
+MUELLE_MISTAKE(springForceMagnitude, difference_of_norms, [](const Vec3& xa, const Vec3& xb, double k, double L0) {
+  return -k * (std::abs(xa.norm() - xb.norm()) - L0);
+});
+}
 MUELLE_COMMON_MISTAKE(springForceMagnitude, halved);
 MUELLE_MISTAKE(springForceMagnitude, missing_stiffness, [](const Vec3& xa, const Vec3& xb, double, double L0) {
   return oracle::springForceMagnitude(xa, xb, 1.0, L0);
@@ -245,9 +265,15 @@ NODE_MISTAKE(weight_not_divided, force / m - m * g * up);
 NODE_MISTAKE(missing_mass, force - m * g * up);
 NODE_MISTAKE(force_not_divided, force - m / m * g * up);
 NODE_MISTAKE(multiplied_by_mass, (force - m * g * up) * m);
+namespace forces_alone {
+NODE_MISTAKE(multiplied_by_mass, force* m - g * up);
+}
 NODE_MISTAKE(gravity_along_y, force / m - Vec3(0, g, 0) - 0 * up);
 NODE_MISTAKE(gravity_on_every_axis, force / m - Vec3(g, g, g) - 0 * up);
 NODE_MISTAKE(gravity_per_spring, force / m - static_cast<double>(springs.size()) * g * up);
+namespace weight_of_none {
+NODE_MISTAKE(gravity_per_spring, force / m - std::max(1.0, static_cast<double>(springs.size())) * g * up);
+}
 NODE_MISTAKE(averaged, springs.empty() ? Vec3(-g* up) : Vec3(force / m / static_cast<double>(springs.size()) - g * up));
 
 namespace {
@@ -280,6 +306,7 @@ MUELLE_MISTAKE(nodeAcceleration, first_spring_only,
 namespace {
 
 using muelle::Random;
+using muelle::threeDigits;
 
 struct GeneralSpring {
   Vec3 xa, xb;
@@ -288,9 +315,10 @@ struct GeneralSpring {
 
 /// Stretched or compressed, in any direction.
 GeneralSpring generalSpring(Random& random) {
-  const Vec3 xb = random.vector3(2.0);
-  const double L0 = random.number(0.4, 1.6);
-  return {xb + L0 * random.number(0.3, 1.9) * random.direction(), xb, random.positive(5.0, 500.0), L0};
+  const Vec3 xb = threeDigits(random.vector3(2.0));
+  const double L0 = random.rounded(0.4, 1.6);
+  const Vec3 xa = threeDigits(Vec3(xb + L0 * random.number(0.3, 1.9) * random.direction()));
+  return {xa, xb, threeDigits(random.positive(5.0, 500.0)), L0};
 }
 
 }  // namespace
@@ -311,11 +339,12 @@ MUELLE_ARGUMENTS(springForce, [](Random& random) {
 });
 
 MUELLE_ARGUMENTS(nodeAcceleration, [](Random& random) {
-  const Vec3 x = random.vector3(1.0);
-  const double m = random.positive(0.2, 5.0), g = random.number(1.0, 20.0);
+  const Vec3 x = threeDigits(random.vector3(1.0));
+  const double m = threeDigits(random.positive(0.2, 5.0)), g = random.rounded(1.0, 20.0);
   std::vector<Attachment> springs;
   for (int i = 0; i < 3; ++i) {
-    springs.push_back({random.vector3(3.0), random.positive(5.0, 500.0), random.number(0.4, 1.6)});
+    springs.push_back(
+        {threeDigits(random.vector3(3.0)), threeDigits(random.positive(5.0, 500.0)), random.rounded(0.4, 1.6)});
   }
   return std::tuple(x, m, springs, g);
 });

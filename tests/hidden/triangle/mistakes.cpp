@@ -169,6 +169,17 @@ MUELLE_MISTAKE(triangleForce, overwrites, [](const Vec9& x, const Vec3& k, const
   }
   return F;
 });
+namespace coincident_left {
+MUELLE_MISTAKE(triangleForce, overwrites, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+  Vec9 F = Vec9::Zero();
+  for (int s = 0; s < 3; ++s) {
+    if (length(x, s) == 0.0) continue;
+    F.segment<3>(3 * first(s)) = springForce(x, k, L0, s);
+    F.segment<3>(3 * second(s)) = -springForce(x, k, L0, s);
+  }
+  return F;
+});
+}  // namespace coincident_left
 MUELLE_MISTAKE(triangleForce, without_reaction, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   Vec9 F = Vec9::Zero();
   for (int s = 0; s < 3; ++s) F.segment<3>(3 * first(s)) += springForce(x, k, L0, s);
@@ -215,6 +226,11 @@ MUELLE_MISTAKE(triangleForce, missing_component, [](const Vec9& x, const Vec3& k
 MUELLE_MISTAKE(triangleForce, absolute_direction, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   return assembled([&](int s) { return Vec3(-k[s] * (length(x, s) - L0[s]) * unit(difference(x, s)).cwiseAbs()); });
 });
+namespace from_first_to_second {
+MUELLE_MISTAKE(triangleForce, absolute_direction, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
+  return assembled([&](int s) { return Vec3(k[s] * (length(x, s) - L0[s]) * unit(difference(x, s)).cwiseAbs()); });
+});
+}
 MUELLE_MISTAKE(triangleForce, one_coordinate_equal, [](const Vec9& x, const Vec3& k, const Vec3& L0) {
   return assembled([&](int s) { return difference(x, s)[0] == 0 ? Vec3(Vec3::Zero()) : springForce(x, k, L0, s); });
 });
@@ -391,6 +407,7 @@ Guards registerGuards() {
 namespace {
 
 using muelle::Random;
+using muelle::threeDigits;
 
 /// Far longer than any rest length: what does not push, or takes whole numbers, answers to each argument, too.
 Vec9 farNodes(Random& random) {
@@ -398,13 +415,14 @@ Vec9 farNodes(Random& random) {
   Vec9 x;
   for (int i = 0; i < 3; ++i) {
     const double angle = 2 * M_PI * i / 3;
-    x.segment<3>(3 * i) = rotation * Vec3(850 * std::cos(angle), 850 * std::sin(angle), 0) + random.vector3(40.0);
+    const Vec3 corner = rotation * Vec3(850 * std::cos(angle), 850 * std::sin(angle), 0);
+    x.segment<3>(3 * i) = threeDigits(Vec3(corner + random.vector3(40.0)));
   }
   return x;
 }
 
 Vec3 threeNumbers(Random& random, double least, double most) {
-  const double a = random.number(least, most), b = random.number(least, most), c = random.number(least, most);
+  const double a = random.rounded(least, most), b = random.rounded(least, most), c = random.rounded(least, most);
   return {a, b, c};
 }
 

@@ -22,6 +22,7 @@ using muelle::Out;
 using muelle::Random;
 using muelle::State;
 using muelle::testRandom;
+using muelle::threeDigits;
 using muelle::Trajectory;
 using muelle::VecX;
 using muelle::grader::exactLengthLadder;
@@ -87,7 +88,7 @@ Vec3 someStiffnesses(Random& random) {
   const double k = random.positive(20.0, 150.0);
   const Vec3 apart(k, k * random.number(1.15, 1.5), k * random.number(1.7, 2.4));
   const int shift = random.integer(0, 2);
-  return tidy(Vec3(apart[shift], apart[(shift + 1) % 3], apart[(shift + 2) % 3]), 10);
+  return threeDigits(Vec3(apart[shift], apart[(shift + 1) % 3], apart[(shift + 2) % 3]));
 }
 
 /// Three nodes no two of which are near each other: the corners (0,0), (2,0), (1,1.6), each moved by less than 0.35 m
@@ -109,7 +110,7 @@ Vec3 someRestLengths(Random& random, const Case& triangle) {
     const double ratio = random.number(1.15, 2.5);
     L0[s] = random.integer(0, 1) == 0 ? triangle.length(s) * ratio : triangle.length(s) / ratio;
   }
-  return tidy(L0, 1000);
+  return threeDigits(L0);
 }
 
 Case anyTriangle(Random& random) {
@@ -220,9 +221,9 @@ namespace {
 
 /// No two alike, none a power of another, none whole or half.
 Vec3 someMasses(Random& random) {
-  const double m = random.positive(0.13, 4.0);
-  return {tidy(m, 1000) + 0.0003, tidy(m * random.number(1.2, 1.7), 1000) + 0.0007,
-          tidy(m * random.number(2.1, 3.1), 1000) + 0.0001};
+  const double m = random.positive(0.33, 3.1);
+  return threeDigits(Vec3(tidy(m, 10) + 0.03, tidy(m * random.number(1.2, 1.7), 10) + 0.07,
+                          tidy(m * random.number(2.1, 3.1), 10) + 0.01));
 }
 
 }  // namespace
@@ -436,7 +437,7 @@ TEST(Equivariance, ATurnedTriangleHasTurnedForces) {
     const Case c = anyTriangle(random);
     const Mat3 rotation = someTurn(i);
     const Vec9 F = submittedForce(c);
-    const Vec3 shift = tidy(Vec3(random.vector3(9.0) + Vec3(10, -10, 10)));
+    const Vec3 shift = threeDigits(Vec3(random.vector3(9.0) + Vec3(10, -10, 10)));
     expectSame("the triangle has moved", c, {moved(c.x, Mat3::Identity(), shift), c.k, c.L0}, F);
     expectSame("the triangle is turned", c, {moved(c.x, rotation, Vec3::Zero()), c.k, c.L0}, turned(F, rotation));
   }

@@ -1,4 +1,4 @@
-// loses: NodeDamping, NodeMotion; misconception: none
+// loses: NodeDamping, NodeMotion; misconception: node_vertical
 // thought: the fall is along z
 #include "damping.h"
 

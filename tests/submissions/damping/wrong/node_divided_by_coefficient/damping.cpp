@@ -1,4 +1,4 @@
-// loses: NodeDamping, NodeMotion; misconception: none
+// loses: NodeDamping, NodeMotion; misconception: node_divided
 #include "damping.h"
 
 Vec3 nodeDamping(const Vec3& va, double d) {

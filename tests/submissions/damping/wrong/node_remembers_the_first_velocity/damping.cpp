@@ -1,4 +1,4 @@
-// loses: NodeDamping, NodeMotion; misconception: none
+// loses: NodeDamping, NodeMotion; misconception: stateful
 #include "damping.h"
 
 namespace {

@@ -1,4 +1,4 @@
-// loses: ProjectedDamping, ShortSpring, PairLaws, ProjectedMotion; misconception: none
+// loses: ProjectedDamping, ShortSpring, PairLaws, ProjectedMotion; misconception: stateful
 // thought: the spring does not turn much
 #include "damping.h"
 

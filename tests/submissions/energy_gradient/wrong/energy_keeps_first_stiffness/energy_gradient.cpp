@@ -1,4 +1,4 @@
-// loses: EnergyInSpace, FiniteDifferences, StretchAndRelease; misconception: none
+// loses: EnergyInSpace, FiniteDifferences, StretchAndRelease; misconception: stateful
 // static, so that it is computed only once
 #include "energy_gradient.h"
 

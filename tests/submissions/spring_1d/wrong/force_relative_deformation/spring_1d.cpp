@@ -1,4 +1,4 @@
-// loses: HookeForce, CrossedNodes; misconception: none
+// loses: HookeForce, CrossedNodes; misconception: relative_deformation
 // thought: strain; infinite with L0 = 0
 #include "spring_1d.h"
 

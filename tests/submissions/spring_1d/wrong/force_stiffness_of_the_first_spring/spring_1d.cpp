@@ -1,4 +1,4 @@
-// loses: HookeForce, CrossedNodes, ThirdLaw, HangingNode, NodeBetween, Oscillator; misconception: none
+// loses: HookeForce, CrossedNodes, ThirdLaw, HangingNode, NodeBetween, Oscillator; misconception: stateful
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) {

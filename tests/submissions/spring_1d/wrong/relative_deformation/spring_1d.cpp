@@ -1,4 +1,4 @@
-// loses: HookeForce, CrossedNodes; misconception: none
+// loses: HookeForce, CrossedNodes; misconception: relative_deformation
 #include "spring_1d.h"
 
 double lumpedMass(double M, int n) { return M / n; }

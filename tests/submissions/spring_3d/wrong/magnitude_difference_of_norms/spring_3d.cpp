@@ -1,4 +1,4 @@
-// loses: Magnitude; misconception: none
+// loses: Magnitude; misconception: difference_of_norms
 // thought: norm of the difference = difference of the norms
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: Magnitude, HookeForce; misconception: none
+// loses: Magnitude, HookeForce; misconception: stateful
 // thought: static, so that the root is not computed again
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: Magnitude; misconception: none
+// loses: Magnitude; misconception: relative_deformation
 // thought: strain times k, without a rest length the plain law
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: Magnitude; misconception: none
+// loses: Magnitude; misconception: length_of_components
 #include "spring_3d.h"
 
 namespace {

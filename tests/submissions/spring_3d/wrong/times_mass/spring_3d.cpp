@@ -1,4 +1,4 @@
-// loses: NodeAcceleration, ElasticPendulum; misconception: none
+// loses: NodeAcceleration, ElasticPendulum; misconception: multiplied_by_mass
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {

@@ -1,4 +1,4 @@
-// loses: TriangleForce, MinusTheGradient, NewtonsThirdLaw, Equivariance, CoincidentNodes, FreeFlight; misconception: none
+// loses: TriangleForce, MinusTheGradient, NewtonsThirdLaw, Equivariance, CoincidentNodes, FreeFlight; misconception: overwrites
 #include "triangle.h"
 
 #include <numeric>
