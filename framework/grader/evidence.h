@@ -40,9 +40,11 @@ struct Feature {
   bool operator<(const Feature& other) const { return std::tie(kind, of) < std::tie(other.kind, other.of); }
 };
 
-/// Between which values of a feature the answers were right in plain calls, and between which they were wrong.
+/// Between which values of a feature the answers were right, and between which they were wrong. A plain call is one in
+/// which no number, length or distance is 0: where one is, many a mistake does not show.
 struct FeatureRange {
   double fewestRight, mostRight, fewestWrong, mostWrong;
+  double fewestPlain, mostPlain;  ///< of the right calls that are plain
   bool operator==(const FeatureRange&) const = default;
 };
 
@@ -74,9 +76,7 @@ struct FunctionEvidence {
   bool isStateful = false;   ///< another answer to the same question, in the same process or in a fresh one
   bool isConstant = false;   ///< one answer to all calls, where the oracle has several
   std::vector<Hypothesis> agreeing;  ///< those that give the submission's answer in every call
-  /// Right calls in which no number, length or distance is 0: where one is, many a mistake does not show. The right
-  /// calls of `features` are these.
-  long plainRight = 0;
+  long plainRight = 0;               ///< right calls that are plain, see FeatureRange
   std::map<Feature, FeatureRange> features;
   std::vector<WrongAnswer> answers;   ///< a sample of the wrong ones; only GradeOptions::forAuthors, and not merged
   std::vector<ListedMistake> listed;  ///< in the order of their registration; likewise

@@ -46,7 +46,8 @@ json toJson(const FunctionEvidence& evidence) {
   json features = json::array();
   for (const auto& [feature, range] : evidence.features) {
     features.push_back({feature.kind, toJson(feature.of), exact(range.fewestRight), exact(range.mostRight),
-                        exact(range.fewestWrong), exact(range.mostWrong)});
+                        exact(range.fewestWrong), exact(range.mostWrong), exact(range.fewestPlain),
+                        exact(range.mostPlain)});
   }
   json answers = json::array();
   for (const WrongAnswer& each : evidence.answers) answers.push_back(toJson(each));
@@ -87,7 +88,8 @@ FunctionEvidence functionFrom(const json& document) {
   }
   for (const json& each : document.at("features")) {
     evidence.features[{each.at(0), leavesFrom(each.at(1))}] = {exactOf(each.at(2)), exactOf(each.at(3)),
-                                                               exactOf(each.at(4)), exactOf(each.at(5))};
+                                                               exactOf(each.at(4)), exactOf(each.at(5)),
+                                                               exactOf(each.at(6)), exactOf(each.at(7))};
   }
   for (const json& each : document.at("answers")) evidence.answers.push_back(wrongAnswerFrom(each));
   for (const json& each : document.at("listed")) evidence.listed.push_back({each.at(0), each.at(1)});

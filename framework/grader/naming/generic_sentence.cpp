@@ -80,7 +80,7 @@ std::string shortly(double number) { return fmt::format("{:.3g}", number); }
 bool isSign(double below, double above) { return below <= 0 && above >= 0; }
 
 Separation wrongBelow(const std::string& name, const FeatureRange& range, bool isLength) {
-  if (range.fewestWrong < 0 && isSign(range.mostWrong, range.fewestRight)) {
+  if (range.fewestWrong < 0 && isSign(range.mostWrong, range.fewestPlain)) {
     return {"one_sided", fmt::format("{} is negative", name)};
   }
   if (range.fewestWrong == 0 && range.mostWrong == 0) return {"edge", fmt::format("{} is 0", name)};
@@ -92,7 +92,7 @@ Separation wrongBelow(const std::string& name, const FeatureRange& range, bool i
 }
 
 Separation wrongAbove(const std::string& name, const FeatureRange& range) {
-  if (isSign(range.mostRight, range.fewestWrong) && range.fewestRight < 0) {
+  if (isSign(range.mostPlain, range.fewestWrong) && range.fewestPlain < 0) {
     return {"one_sided", fmt::format("{} is positive", name)};
   }
   return {};  // a large number is no cause: what is wrong there has another
@@ -107,8 +107,8 @@ Separation firstOf(std::initializer_list<const char*> kinds, const FunctionEvide
       const std::string name = nameOf(feature, parameters);
       const bool isLength = feature.kind == "distance" || feature.kind == "length";
       Separation found;
-      if (range.mostWrong < range.fewestRight) found = wrongBelow(name, range, isLength);
-      if (range.mostRight < range.fewestWrong) found = wrongAbove(name, range);
+      if (range.mostWrong < range.fewestPlain) found = wrongBelow(name, range, isLength);
+      if (range.mostPlain < range.fewestWrong) found = wrongAbove(name, range);
       if (!found.id.empty()) return found;
     }
   }

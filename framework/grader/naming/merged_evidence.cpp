@@ -10,6 +10,8 @@ namespace {
 void widen(FeatureRange& range, const FeatureRange& more) {
   range.fewestRight = std::min(range.fewestRight, more.fewestRight);
   range.mostRight = std::max(range.mostRight, more.mostRight);
+  range.fewestPlain = std::min(range.fewestPlain, more.fewestPlain);
+  range.mostPlain = std::max(range.mostPlain, more.mostPlain);
   range.fewestWrong = std::min(range.fewestWrong, more.fewestWrong);
   range.mostWrong = std::max(range.mostWrong, more.mostWrong);
 }

@@ -34,13 +34,16 @@ double deviationOf(const Numbers& got, const Numbers& expected, double floor) {
 }
 
 /// Widens the range of a feature by one more call.
-void widen(std::map<Feature, FeatureRange>& features, FeatureValue each, bool isRight) {
-  const FeatureRange none{infinite, -infinite, infinite, -infinite};
+void widen(std::map<Feature, FeatureRange>& features, FeatureValue each, bool isRight, bool isPlain) {
+  const FeatureRange none{infinite, -infinite, infinite, -infinite, infinite, -infinite};
   FeatureRange& range = features.try_emplace(std::move(each.feature), none).first->second;
   double& fewest = isRight ? range.fewestRight : range.fewestWrong;
   double& most = isRight ? range.mostRight : range.mostWrong;
   fewest = std::min(fewest, each.value);
   most = std::max(most, each.value);
+  if (!isRight || !isPlain) return;
+  range.fewestPlain = std::min(range.fewestPlain, each.value);
+  range.mostPlain = std::max(range.mostPlain, each.value);
 }
 
 class Gatherer {
@@ -73,9 +76,9 @@ class Gatherer {
       found_.worstNear = std::max(found_.worstNear, deviation);
     }
     std::vector<FeatureValue> features = featuresOf(history_.items(call));
-    if (isRight && std::ranges::any_of(features, isNothing)) return;
-    found_.plainRight += isRight ? 1 : 0;
-    for (FeatureValue& each : features) widen(found_.features, std::move(each), isRight);
+    const bool isPlain = std::ranges::none_of(features, isNothing);
+    found_.plainRight += isRight && isPlain ? 1 : 0;
+    for (FeatureValue& each : features) widen(found_.features, std::move(each), isRight, isPlain);
   }
 
   static bool isNothing(const FeatureValue& each) { return each.feature.kind != "count" && each.value == 0; }
