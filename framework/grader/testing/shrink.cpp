@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <string>
 
 namespace muelle::grader {
@@ -118,7 +117,8 @@ class Shrinker {
   /// until the one lies at the origin. Late, any two vectors are tried, a node on a sphere and its centre.
   void shrinkPlaces(bool isLate) {
     const std::vector<ArgumentItem> items = history_.items(base_);
-    for (const ArgumentItem& origin : items | std::views::reverse) {
+    for (auto last = items.rbegin(); last != items.rend(); ++last) {
+      const ArgumentItem& origin = *last;
       if (std::ranges::all_of(origin.numbers, [](double number) { return number == 0; })) continue;
       for (const ArgumentItem& place : items) {
         const bool areVectors = place.kind == Kind::Vector && origin.kind == Kind::Vector &&

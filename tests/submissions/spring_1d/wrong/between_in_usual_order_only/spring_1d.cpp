@@ -1,4 +1,4 @@
-// loses: NodeBetween, ZeroLength, ShortSpring; misconception: signed_length or one_sided or force_at_zero_length
+// loses: ZeroLength, NodeBetween; misconception: signed_length
 // writes the slide's picture down: the lower spring is x - lower.x long, the upper one upper.x - x
 #include "spring_1d.h"
 

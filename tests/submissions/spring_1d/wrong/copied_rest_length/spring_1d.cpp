@@ -1,4 +1,4 @@
-// loses: NodeBetween, Oscillator; misconception: same_constants_twice
+// loses: NodeBetween, Oscillator; misconception: argument_twice
 // the second line was copied; only L0 was not changed
 #include "spring_1d.h"
 

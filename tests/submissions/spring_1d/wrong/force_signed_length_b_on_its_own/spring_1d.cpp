@@ -1,4 +1,4 @@
-// loses: CrossedNodes; misconception: none
+// loses: CrossedNodes; misconception: signed_length
 // b calls a with the nodes exchanged, which the signed length does not stand
 #include "spring_1d.h"
 

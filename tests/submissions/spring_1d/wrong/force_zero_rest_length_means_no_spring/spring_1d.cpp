@@ -1,4 +1,4 @@
-// loses: HookeForce, CrossedNodes; misconception: none
+// loses: HookeForce, CrossedNodes; misconception: edge
 // thought: L0 = 0 is an unset spring
 #include "spring_1d.h"
 

@@ -1,4 +1,4 @@
-// loses: HangingNode; misconception: one_sided or gravity_up
+// loses: HangingNode, Oscillator; misconception: one_sided
 // "gravity pulls the node away from where it hangs": upwards when it has swung above the top
 #include "spring_1d.h"
 

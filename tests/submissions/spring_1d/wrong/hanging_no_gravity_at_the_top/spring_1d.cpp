@@ -1,4 +1,4 @@
-// loses: ZeroLength; misconception: none
+// loses: ZeroLength; misconception: edge
 // thought: there is no force at L = 0
 #include "spring_1d.h"
 

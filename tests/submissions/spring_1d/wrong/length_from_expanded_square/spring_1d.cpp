@@ -1,4 +1,4 @@
-// loses: HookeForce, ShortSpring; misconception: none
+// loses: ShortSpring; misconception: threshold
 // (xa - xb)^2 multiplied out: near each other and far from the origin only a few digits are left, or none
 #include "spring_1d.h"
 

@@ -1,4 +1,4 @@
-// loses: ZeroLength; misconception: edge
+// loses: ZeroLength; misconception: none
 // break where continue was meant: the springs after one whose end is at x are lost
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: Magnitude, Direction, ShortSpring; misconception: none
+// loses: Magnitude, Direction, ShortSpring; misconception: edge or threshold
 // thought: |a|^2 + |b|^2 - 2 a.b; far from the origin nothing is left
 #include "spring_3d.h"
 

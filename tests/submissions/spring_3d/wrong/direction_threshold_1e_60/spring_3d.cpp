@@ -1,4 +1,4 @@
-// loses: ShortSpring; misconception: none
+// loses: ShortSpring; misconception: threshold
 // thought: smaller than any atom
 #include "spring_3d.h"
 

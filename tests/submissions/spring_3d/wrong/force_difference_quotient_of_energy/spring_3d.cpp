@@ -1,4 +1,4 @@
-// loses: HookeForce, ShortSpring; misconception: none
+// loses: HookeForce, ShortSpring; misconception: edge or threshold
 // thought: F = -dE/dx
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: ZeroLength, ShortSpring; misconception: none
+// loses: ZeroLength, ShortSpring; misconception: threshold
 // thought: the factors of r/L under one root; no case for 0
 #include "spring_3d.h"
 

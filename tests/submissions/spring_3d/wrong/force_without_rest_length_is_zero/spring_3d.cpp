@@ -1,4 +1,4 @@
-// loses: HookeForce; misconception: none
+// loses: HookeForce; misconception: edge
 // thought: L0 = 0: no spring
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: Magnitude, Direction, Equivariance; misconception: none
+// loses: Magnitude, Direction, ShortSpring; misconception: edge or threshold
 // |a|^2 + |b|^2 - 2 a.b: equal in algebra, but far from the origin the digits cancel
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: NodeAcceleration; misconception: last_spring_only or last_only
+// loses: NodeAcceleration, ElasticPendulum; misconception: last_spring_only
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) { return -k * ((xa - xb).norm() - L0); }

@@ -1,4 +1,4 @@
-// loses: ZeroLength; misconception: none
+// loses: ZeroLength; misconception: edge
 // thought: no length, no force: also in the magnitude
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: NodeAcceleration; misconception: range or last_skipped
+// loses: NodeAcceleration; misconception: none
 // forces are kept in an array of 16, what is beyond is dropped; 40 springs may come
 #include "spring_3d.h"
 

@@ -1,4 +1,4 @@
-// loses: HookeForce, Equivariance; misconception: each_axis_alone
+// loses: HookeForce, ThirdLaw, Equivariance; misconception: each_axis_alone
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) { return -k * ((xa - xb).norm() - L0); }

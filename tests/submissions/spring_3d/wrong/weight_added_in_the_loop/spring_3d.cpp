@@ -1,4 +1,4 @@
-// loses: NodeAcceleration; misconception: gravity_per_spring
+// loses: NodeAcceleration, ElasticPendulum; misconception: gravity_per_spring
 #include "spring_3d.h"
 
 double springForceMagnitude(const Vec3& xa, const Vec3& xb, double k, double L0) {

@@ -1,4 +1,4 @@
-// loses: NodeAcceleration; misconception: whole_numbers
+// loses: ZeroLength, ShortSpring, NodeAcceleration, ElasticPendulum; misconception: whole_numbers
 // the mass is put into an int: below 1 kg it divides by zero
 #include "spring_3d.h"
 
