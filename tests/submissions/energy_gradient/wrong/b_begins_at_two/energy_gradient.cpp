@@ -1,4 +1,4 @@
-// loses: EnergyGradient, FiniteDifferences, StretchAndRelease; misconception: overlapping_blocks
+// loses: EnergyGradient, FiniteDifferences, CoincidentNodes; misconception: none
 // counts from 1 to 3 for a, so b is read from component 2 on; the energy is right
 #include "energy_gradient.h"
 

@@ -1,4 +1,4 @@
-// loses: CoincidentNodes; misconception: made_up_direction
+// loses: CoincidentNodes; misconception: edge or made_up_direction
 // some direction has to be taken
 #include "energy_gradient.h"
 

@@ -1,4 +1,4 @@
-// loses: EnergyGradient, TinyLengths; misconception: difference_quotient
+// loses: EnergyGradient, TinyLengths; misconception: difference_quotient or threshold
 // as in the section on checking
 #include "energy_gradient.h"
 

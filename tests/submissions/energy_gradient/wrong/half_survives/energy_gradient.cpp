@@ -1,4 +1,4 @@
-// loses: EnergyGradient, FiniteDifferences, StretchAndRelease; misconception: half_kept or halved
+// loses: EnergyGradient, FiniteDifferences; misconception: half_kept
 #include "energy_gradient.h"
 
 double springEnergy1d(const Vec2& x, double k, double L0) {
