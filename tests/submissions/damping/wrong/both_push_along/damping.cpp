@@ -1,4 +1,4 @@
-// loses: NodeDamping, RelativeDamping, PairLaws, NodeMotion, RelativeMotion; misconception: node_wrong_sign or relative_wrong_sign or wrong_sign
+// loses: NodeDamping, RelativeDamping, NodeMotion, RelativeMotion; misconception: node_wrong_sign or relative_wrong_sign
 // two mistakes: no minus in the first two; the third has its own formula
 #include "damping.h"
 

@@ -1,4 +1,4 @@
-// loses: ShortSpring; misconception: none
+// loses: ShortSpring; misconception: threshold
 // d L Ldot r / L^2 with L Ldot = v.r, written with L^2 twice: equal in algebra, but L^4 is 0 at L = 1e-100
 #include "damping.h"
 

@@ -1,4 +1,4 @@
-// loses: ProjectedDamping, ShortSpring, PairLaws, ProjectedMotion; misconception: stateful
+// loses: ShortSpring; misconception: stateful
 // at L = 0 the direction of the call before is taken
 #include "damping.h"
 

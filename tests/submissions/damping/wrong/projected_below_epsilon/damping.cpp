@@ -1,4 +1,4 @@
-// loses: ShortSpring; misconception: none
+// loses: ShortSpring; misconception: threshold
 #include "damping.h"
 #include <limits>
 

@@ -1,4 +1,4 @@
-// loses: ShortSpring; misconception: none
+// loses: ShortSpring; misconception: threshold
 #include "damping.h"
 
 Vec3 nodeDamping(const Vec3& va, double d) {

@@ -1,4 +1,4 @@
-// loses: ProjectedDamping, PairLaws, ProjectedMotion; misconception: projected_ignores_b
+// loses: ProjectedDamping, ShortSpring, PairLaws, ProjectedMotion; misconception: projected_ignores_b
 #include "damping.h"
 
 Vec3 nodeDamping(const Vec3& va, double d) { return -d * va; }

@@ -1,4 +1,4 @@
-// loses: ProjectedDamping, ProjectedMotion; misconception: projected_whole_rate or whole_numbers
+// loses: ProjectedDamping, PairLaws, ProjectedMotion; misconception: none
 #include "damping.h"
 
 Vec3 nodeDamping(const Vec3& va, double d) { return -d * va; }

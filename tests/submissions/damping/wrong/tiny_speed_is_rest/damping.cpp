@@ -1,4 +1,4 @@
-// loses: NodeDamping; misconception: node_threshold or threshold
+// loses: NodeDamping; misconception: none
 #include "damping.h"
 
 Vec3 nodeDamping(const Vec3& va, double d) {

@@ -1,4 +1,4 @@
-// loses: TriangleForce, MinusTheGradient, NewtonsThirdLaw, FreeFlight; misconception: without_reaction
+// loses: TriangleForce, MinusTheGradient, NewtonsThirdLaw, Equivariance, FreeFlight; misconception: without_reaction
 #include "triangle.h"
 
 static Vec3 hooke(const Vec3& a, const Vec3& b, double k, double L0) {

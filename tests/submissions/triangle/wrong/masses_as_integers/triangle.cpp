@@ -1,4 +1,4 @@
-// loses: MassMatrix; misconception: whole_numbers
+// loses: MassMatrix; misconception: cut_result
 // the masses go through an array of int: 1.5 kg becomes 1, a gram becomes 0
 #include "triangle.h"
 

@@ -1,4 +1,4 @@
-// loses: TriangleForce, MinusTheGradient, FreeFlight; misconception: springs_by_opposite_node or wrong_sign
+// loses: TriangleForce, MinusTheGradient, Equivariance, FreeFlight; misconception: none
 // two mistakes: k[i], L0[i] of the side opposite to node i, and plus the gradient
 #include "triangle.h"
 
