@@ -145,7 +145,7 @@ class Namer {
   Found wholeNumbers(const std::string& function, const FunctionEvidence& evidence) const {
     if (const auto clue = evidence.wrong < fewestWrong ? std::nullopt : wholeVariable(source_, function)) {
       return NamedMistake{"whole_numbers", function,
-                          fmt::format("line {}, {}: {} keeps whole numbers only, and what it is given has a fraction",
+                          fmt::format("line {}, {}: {} keeps whole numbers only, and is given one with a fraction",
                                       clue->line, function, clue->token),
                           "Declare it as double."};
     }

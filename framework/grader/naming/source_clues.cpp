@@ -88,20 +88,30 @@ std::vector<std::string_view> fractionalNames(const Definition& definition) {
   return names;
 }
 
-/// `int rate = ...` from what has a fraction; a cast to a whole number counts as well.
+/// Whether a word with a fraction stands between `at` and the end of the statement; what counts has none.
+bool takesFraction(const Tokens& body, std::size_t at, const std::vector<std::string_view>& fractional) {
+  for (; at < body.size() && !isOneOf(body[at], {";", "}", "<", ">", "size", "rows", "cols"}); ++at) {
+    if (std::ranges::find(fractional, body[at]) != fractional.end() ||
+        isOneOf(body[at], {"dot", "norm", "stableNorm", "squaredNorm", "sqrt", "hypot", "abs", "fabs", "pow"}))
+      return true;
+  }
+  return false;
+}
+
+/// `int rate = ...`, or later `rate = ...` and `rate += ...`, from what has a fraction.
 std::optional<std::string_view> cutNumber(const Definition& definition) {
   const Tokens& body = definition.body;
   const std::vector<std::string_view> fractional = fractionalNames(definition);
-  const auto hasFraction = [&fractional](std::string_view token) {
-    return std::ranges::find(fractional, token) != fractional.end() ||
-           isOneOf(token, {"dot", "norm", "stableNorm", "squaredNorm", "sqrt", "hypot", "abs", "fabs", "pow"});
-  };
+  std::vector<std::string_view> whole;
   for (std::size_t i = 0; i + 3 < body.size(); ++i) {
-    if (!isOneOf(body[i], {"int", "long", "unsigned", "short"}) || !isOneOf(body[i + 2], {"=", "{"})) continue;
-    for (std::size_t at = i + 3; at < body.size() && !isOneOf(body[at], {";", "}", "<", ">"}); ++at) {
-      if (isOneOf(body[at], {"size", "rows", "cols"})) break;
-      if (hasFraction(body[at])) return body[i];
+    if (isOneOf(body[i], {"int", "long", "unsigned", "short"}) && isOneOf(body[i + 2], {"=", "{"})) {
+      whole.push_back(body[i + 1]);
+      if (takesFraction(body, i + 3, fractional)) return body[i + 1];
     }
+    const bool isWhole = std::ranges::find(whole, body[i]) != whole.end();
+    const bool isAdded = isOneOf(body[i + 1], {"+", "-", "*"}) && body[i + 2] == "=";
+    const bool isSet = body[i + 1] == "=" && body[i + 2] != "=";
+    if (isWhole && (isSet || isAdded) && takesFraction(body, i + 2, fractional)) return body[i];
   }
   return std::nullopt;
 }
@@ -127,8 +137,8 @@ std::optional<SourceClue> integerDivision(std::string_view source, std::string_v
 
 std::optional<SourceClue> wholeVariable(std::string_view source, std::string_view function) {
   for (const Definition& definition : definitionsBelow(source, function)) {
-    if (const auto type = cutNumber(definition)) {
-      return SourceClue{"whole_numbers", lineOf(source, *type), std::string(*type)};
+    if (const auto name = cutNumber(definition)) {
+      return SourceClue{"whole_numbers", lineOf(source, *name), std::string(*name)};
     }
   }
   return std::nullopt;

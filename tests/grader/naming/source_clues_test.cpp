@@ -34,7 +34,8 @@ TEST(SourceClues, FindANumberWithAFractionInAVariableOfWholeNumbers) {
   const auto found = wholeVariable("double f(double x) {\n  const int rate = 2 * x;\n  return rate;\n}", "f");
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->line, 2);
-  EXPECT_EQ(found->token, "int");
+  EXPECT_EQ(found->token, "rate");
+  EXPECT_TRUE(wholeVariable("double f(double x) { int s = 0; s += 2 * x; return s; }", "f").has_value());
   EXPECT_TRUE(wholeVariable("Vec3 f(const Vec3& v) { int s = v.norm(); return s * v; }", "f").has_value());
   EXPECT_TRUE(wholeVariable("double f(double x) { double y = x; long z{y}; return z; }", "f").has_value());
   for (const char* right :

@@ -1,4 +1,4 @@
-// loses: PlaneContact, PlaneNeverPulls, ContactLaws; misconception: plane_depth_along_z
+// loses: PlaneContact, ContactLaws, Bounce; misconception: plane_depth_along_z
 #include "contact.h"
 
 Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {

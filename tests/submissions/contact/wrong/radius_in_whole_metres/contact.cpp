@@ -1,4 +1,4 @@
-// loses: SphereContact; misconception: whole_numbers
+// loses: SphereContact, Bounce; misconception: whole_numbers
 #include "contact.h"
 
 static Vec3 obstacle(double depth, const Vec3& n, const Vec3& v, double k, double d) {

@@ -1,4 +1,4 @@
-// loses: Friction; misconception: friction_threshold or threshold
+// loses: Friction; misconception: none
 #include "contact.h"
 
 Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
