@@ -6,9 +6,9 @@
 /// force). The depth is how far inside the node is; n is the outward unit normal; v_n = v . n is the speed at which the
 /// node leaves. All numbers are in SI units; z points up.
 ///
-/// All of this is computed with double, to round-off: subtract positions first, then nothing else cancels. No number
-/// here is too small to count: a depth may be 1e-30 m below a plane far from the origin as well as through it, a
-/// distance from a centre 1e-100 m, and a speed along a surface whose normal is an axis 1e-100 m/s.
+/// All of this is computed with double, to the round-off of the numbers that it is made of. No number here is too small
+/// to count: a depth may be 1e-30 m below a plane through the origin, a distance from a centre 1e-100 m, and a speed
+/// along a surface whose normal is an axis 1e-100 m/s.
 ///
 /// Not passed: a normal that is not of length 1, numbers outside the ranges below, and numbers that are not finite.
 

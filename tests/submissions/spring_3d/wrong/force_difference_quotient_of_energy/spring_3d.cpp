@@ -1,4 +1,4 @@
-// loses: HookeForce, ShortSpring; misconception: edge or threshold
+// loses: HookeForce, ShortSpring; misconception: difference_quotient or edge or threshold or one_sided
 // thought: F = -dE/dx
 #include "spring_3d.h"
 

@@ -1,21 +1,19 @@
-// loses: SphereContact, Bounce; misconception: whole_numbers
+// p.n - x.n: equal in algebra
 #include "contact.h"
 
-static Vec3 obstacle(double depth, const Vec3& n, const Vec3& v, double k, double d) {
+Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
+  const double planeHeight = p.dot(n);
+  const double nodeHeight = x.dot(n);
+  const double depth = planeHeight - nodeHeight;
   if (depth <= 0) return Vec3::Zero();
   return std::max(0.0, k * depth - d * v.dot(n)) * n;
 }
 
-static double depthInSphere(int R, double distance) { return R - distance; }
-
-Vec3 planeContact(const Vec3& x, const Vec3& v, const Vec3& p, const Vec3& n, double k, double d) {
-  return obstacle(-(x - p).dot(n), n, v, k, d);
-}
-
 Vec3 sphereContact(const Vec3& x, const Vec3& v, const Vec3& c, double R, double k, double d) {
-  const double distance = (x - c).norm();
-  if (distance == 0) return Vec3::Zero();
-  return obstacle(depthInSphere(R, distance), (x - c) / distance, v, k, d);
+  const double r = (x - c).norm();
+  if (r == 0 || r >= R) return Vec3::Zero();
+  const Vec3 n = (x - c) / r;
+  return std::max(0.0, k * (R - r) - d * v.dot(n)) * n;
 }
 
 std::vector<double> columnAtRest(const std::vector<double>& m, double k, double L0, double kPlane, double g) {
