@@ -150,16 +150,15 @@ class GivenFunction<Result(Args...)> {
 #else
 #define MUELLE_REMOTE_CALL_(function)
 #endif
-#define MUELLE_REMOTE_FUNCTION_(function)                                                                         \
-  MUELLE_REMOTE_CALL_(function)                                                                                   \
-  namespace oracle {                                                                                              \
-  decltype(::function) function;                                                                                  \
-  }                                                                                                               \
-  namespace submission {                                                                                          \
-  [[maybe_unused]] constexpr ::muelle::grader::RemoteFunction<decltype(::function)> function(#function);          \
-  }                                                                                                               \
-  namespace given {                                                                                               \
-  [[maybe_unused]] constexpr ::muelle::grader::GivenFunction<decltype(::function)> function(#function,            \
-                                                                                            &::oracle::function); \
+#define MUELLE_REMOTE_FUNCTION_(function)                                                                          \
+  MUELLE_REMOTE_CALL_(function)                                                                                    \
+  namespace oracle {                                                                                               \
+  decltype(::function) function;                                                                                   \
+  }                                                                                                                \
+  namespace submission {                                                                                           \
+  [[maybe_unused]] constexpr ::muelle::grader::RemoteFunction<decltype(::function)> function(#function);           \
+  }                                                                                                                \
+  namespace given {                                                                                                \
+  inline constexpr ::muelle::grader::GivenFunction<decltype(::function)> function(#function, &::oracle::function); \
   }
 #define MUELLE_FUNCTIONS(...) MUELLE_FOR_EACH(MUELLE_REMOTE_FUNCTION_, __VA_ARGS__)
