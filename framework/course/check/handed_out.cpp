@@ -1,6 +1,7 @@
 #include "course/check/handed_out.h"
 
 #include "base/file.h"
+#include "base/text/fnv1a.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -21,13 +22,9 @@ std::string lineFor(const fs::path& checkout, const std::string& file) {
 }  // namespace
 
 std::uint64_t handedOutHash(std::string_view text) {
-  std::uint64_t hash = 0xCBF29CE484222325U;
-  for (const char c : text) {
-    if (c == '\r') continue;
-    hash ^= static_cast<unsigned char>(c);
-    hash *= 0x100000001B3U;
-  }
-  return hash;
+  std::string plain(text);
+  std::erase(plain, '\r');
+  return fnv1a(plain);
 }
 
 std::string handedOutList(const fs::path& checkout) {

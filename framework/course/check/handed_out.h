@@ -11,8 +11,8 @@
 
 namespace muelle {
 
-/// FNV-1a (64 bits) of the text without carriage returns, which a download may add. It finds slips; nobody gains by
-/// deceiving it, since the grader compiles against its own copies.
+/// fnv1a() of the text without carriage returns, which a download may add. Nobody gains by deceiving it, since the
+/// grader compiles against its own copies.
 std::uint64_t handedOutHash(std::string_view text);
 
 /// The list as it should be for this checkout: a line "HASH PATH" for every header of the harness and, for every

@@ -1,11 +1,12 @@
 #include "course/testing/random.h"
 
+#include "base/text/fnv1a.h"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <array>
 #include <cmath>
 #include <string>
-#include <string_view>
 
 namespace muelle {
 
@@ -14,12 +15,6 @@ namespace {
 std::uint64_t& testSeed() {
   static std::uint64_t seed = 20090906;  // the date of the lecture
   return seed;
-}
-
-/// FNV-1a: gives each test its own stream; std::hash is not the same on every platform.
-std::uint64_t fold(std::uint64_t hash, std::string_view text) {
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  return hash;
 }
 
 }  // namespace
@@ -91,7 +86,7 @@ Mat3 Random::rotation() {
 Random testRandom() {
   std::uint64_t seed = testSeed();
   if (const auto* info = ::testing::UnitTest::GetInstance()->current_test_info()) {
-    seed = fold(fold(seed, info->test_suite_name()), info->name());
+    seed = fnv1a(info->name(), fnv1a(info->test_suite_name(), seed));
   }
   return Random(seed);
 }

@@ -54,9 +54,9 @@ class Grading {
       if (!entry.refusal.empty()) throw std::runtime_error(entry.refusal);
       Submission submission = grader_.take(entry.parts);
       submission.name = entry.student;
-      const auto sources = std::make_shared<const SourcesByTopic>(submission.sources);
+      const auto sources = options_.unnamed ? std::make_shared<const SourcesByTopic>(submission.sources) : nullptr;
       grader_.add(pool_, submission, [this, i, sources, path = entry.parts.front()](GradedSubmission graded) {
-        if (options_.unnamed) noteUnnamed(i, graded, *sources);
+        if (sources) noteUnnamed(i, graded, *sources);
         finish(i, path, std::move(graded));
       });
     } catch (const std::exception& error) {

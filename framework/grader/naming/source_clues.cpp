@@ -122,14 +122,10 @@ std::optional<SourceClue> integerDivision(std::string_view source, std::string_v
   for (const Definition& definition : definitionsBelow(source, function)) {
     const Tokens& body = definition.body;
     for (std::size_t i = 0; i < body.size(); ++i) {
-      if (dividesWholeNumbers(body, i)) {
-        const std::string_view all(
-            body[i - 1].data(), static_cast<std::size_t>(body[i + 1].data() + body[i + 1].size() - body[i - 1].data()));
-        return SourceClue{"integer_division", lineOf(source, body[i]), std::string(all)};
-      }
-      if (sumsWholeNumbers(body, i)) {
-        return SourceClue{"integer_division", lineOf(source, body[i]), "accumulate(..., 0)"};
-      }
+      if (sumsWholeNumbers(body, i)) return SourceClue{lineOf(source, body[i]), "accumulate(..., 0)"};
+      if (!dividesWholeNumbers(body, i)) continue;
+      const char* end = body[i + 1].data() + body[i + 1].size();
+      return SourceClue{lineOf(source, body[i]), std::string(body[i - 1].data(), end)};
     }
   }
   return std::nullopt;
@@ -137,9 +133,7 @@ std::optional<SourceClue> integerDivision(std::string_view source, std::string_v
 
 std::optional<SourceClue> wholeVariable(std::string_view source, std::string_view function) {
   for (const Definition& definition : definitionsBelow(source, function)) {
-    if (const auto name = cutNumber(definition)) {
-      return SourceClue{"whole_numbers", lineOf(source, *name), std::string(*name)};
-    }
+    if (const auto name = cutNumber(definition)) return SourceClue{lineOf(source, *name), std::string(*name)};
   }
   return std::nullopt;
 }
@@ -148,7 +142,7 @@ std::optional<SourceClue> singlePrecision(std::string_view source) {
   for (const std::string_view token : sourceTokens(source)) {
     const bool isType = token == "float" || token == "Vector3f" || token == "Vector2f" || token == "VectorXf" ||
                         token == "fabsf" || token == "sqrtf";
-    if (isType) return SourceClue{"single_precision", lineOf(source, token), std::string(token)};
+    if (isType) return SourceClue{lineOf(source, token), std::string(token)};
   }
   return std::nullopt;
 }

@@ -7,8 +7,7 @@ namespace muelle::grader {
 
 /// What in a source explains a wrong number, with its line.
 struct SourceClue {
-  std::string id;  ///< "integer_division", "whole_numbers", "single_precision"
-  int line = 0;    ///< from 1
+  int line = 0;  ///< from 1
   std::string token;
 };
 

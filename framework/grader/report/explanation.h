@@ -36,6 +36,9 @@ struct Explanation {
   std::vector<FailedTest> tests;      ///< failed ones
   std::string hint;                   ///< the criterion's, when no mistake was named
   std::string note;                   ///< how the exercise's file was taken; "" when under its own name
+
+  /// Whether it is known what the code does wrong, besides its numbers.
+  bool hasCause() const { return !neverWritten.empty() || !mistakes.empty() || !fault.empty(); }
 };
 
 Explanation explain(const Criterion& criterion, const GradedExercise& exercise);

@@ -85,20 +85,19 @@ std::string failedTests(const std::vector<Explanation::FailedTest>& tests) {
 
 /// Where the exercise's block of things to mend has said the cause, the rest is folded.
 std::string why(const Explanation& explanation, const std::string& printed) {
-  std::string causes = paragraph("cause", explanation.neverWritten) + paragraph("cause", explanation.fault);
-  for (const auto& mistake : explanation.mistakes) causes += paragraph("cause", mistake.says);
-  std::string rest = paragraph("soft", explanation.instead) + paragraph("hint", explanation.hint);
+  std::string html = paragraph("cause", explanation.neverWritten) + paragraph("cause", explanation.fault);
+  for (const auto& mistake : explanation.mistakes) html += paragraph("cause", mistake.says);
+  html += paragraph("soft", explanation.instead) + paragraph("hint", explanation.hint);
   if (explanation.mistakes.empty()) {
-    for (const std::string& example : explanation.examples) rest += paragraph("example", example);
+    for (const std::string& example : explanation.examples) html += paragraph("example", example);
   }
-  rest += failedTests(explanation.tests);
-  if (!printed.empty()) rest += folded("What your code printed", fmt::format("<pre>{}</pre>\n", escapeHtml(printed)));
-  if (!causes.empty()) rest = folded("explained above; the numbers", causes + rest);
-  return rest.empty() ? "" : "<div class=\"why\">\n" + rest + "</div>\n";
+  html += failedTests(explanation.tests);
+  if (!printed.empty()) html += folded("What your code printed", fmt::format("<pre>{}</pre>\n", escapeHtml(printed)));
+  if (explanation.hasCause()) html = folded("explained above; the numbers", html);
+  return html.empty() ? "" : "<div class=\"why\">\n" + html + "</div>\n";
 }
 
-std::string criterionRow(const Criterion& criterion, const GradedExercise& exercise) {
-  const Explanation explanation = explain(criterion, exercise);
+std::string criterionRow(const Criterion& criterion, const GradedExercise& exercise, const Explanation& explanation) {
   const bool built = exercise.build.status == BuildOutcome::Status::Built;
   return fmt::format("<div class=\"criterion {}\"><span class=\"mark\" title=\"{}\">{}</span><h3>{}</h3>{}\n{}</div>\n",
                      classOfState(explanation.state), showState(explanation.state), markOf(explanation.state),
@@ -107,25 +106,18 @@ std::string criterionRow(const Criterion& criterion, const GradedExercise& exerc
                      built ? why(explanation, shownOutput(criterion, exercise)) : "");
 }
 
-/// Those that are lost.
-std::string lostRows(const GradedExercise& exercise) {
-  std::string rows;
+/// Those that are lost, then those that passed, folded into one line.
+std::string criteriaRows(const GradedExercise& exercise) {
+  std::string lost, passed;
+  long long passedCount = 0;
   for (const Criterion& criterion : exercise.manifest.criteria) {
-    if (explain(criterion, exercise).state != State::Passed) rows += criterionRow(criterion, exercise);
+    const Explanation explanation = explain(criterion, exercise);
+    const bool hasPassed = explanation.state == State::Passed;
+    (hasPassed ? passed : lost) += criterionRow(criterion, exercise, explanation);
+    passedCount += hasPassed ? 1 : 0;
   }
-  return rows;
-}
-
-/// Those that passed, folded into one line.
-std::string passedRows(const GradedExercise& exercise) {
-  std::string rows;
-  long long count = 0;
-  for (const Criterion& criterion : exercise.manifest.criteria) {
-    if (explain(criterion, exercise).state != State::Passed) continue;
-    rows += criterionRow(criterion, exercise);
-    ++count;
-  }
-  return folded(fmt::format("\u2713 {} passed", counted(count, "criterion", "criteria")), rows, "passed");
+  return lost +
+         folded(fmt::format("\u2713 {} passed", counted(passedCount, "criterion", "criteria")), passed, "passed");
 }
 
 std::string mending(const Mending& mending) {
@@ -177,7 +169,7 @@ std::string exerciseSection(const GradedExercise& exercise) {
       escapeHtml(exercise.manifest.topic), ours ? "part" : classOf(points, most), escapeHtml(exercise.manifest.title),
       pointsOf(showScore(exercise), most, " / "), bar(points, most));
   if (!exercise.note.empty()) html += "<div class=\"block\">\n" + paragraph("soft", exercise.note) + "</div>\n";
-  html += buildBlock(exercise) + mendingBlock(exercise) + lostRows(exercise) + passedRows(exercise) + curves(exercise);
+  html += buildBlock(exercise) + mendingBlock(exercise) + criteriaRows(exercise) + curves(exercise);
   if (exercise.seed != 0) html += "<div class=\"block\">\n" + paragraph("soft", seedSentence(exercise)) + "</div>\n";
   return html + "</section>\n";
 }

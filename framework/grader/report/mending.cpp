@@ -41,10 +41,6 @@ class Mendings {
   std::vector<Mending> all_;
 };
 
-bool hasCause(const Explanation& explanation) {
-  return !explanation.mistakes.empty() || !explanation.fault.empty() || !explanation.neverWritten.empty();
-}
-
 /// The criteria that do not pass, and nothing says why.
 std::vector<std::string> withoutCause(const GradedExercise& exercise) {
   std::vector<std::string> names;
@@ -52,7 +48,7 @@ std::vector<std::string> withoutCause(const GradedExercise& exercise) {
     const Explanation explanation = explain(criterion, exercise);
     const bool isLost =
         explanation.state == Explanation::State::Failed || explanation.state == Explanation::State::Partial;
-    if (isLost && !hasCause(explanation)) names.push_back(criterion.name);
+    if (isLost && !explanation.hasCause()) names.push_back(criterion.name);
   }
   return names;
 }

@@ -1,7 +1,11 @@
 #include "grader/testing/wrong_answers.h"
 
+#include "base/text/fnv1a.h"
+
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <string>
 
 namespace muelle::grader {
 
@@ -10,16 +14,16 @@ namespace {
 constexpr std::size_t mostAnswers = 16;
 constexpr std::size_t mostNumbersOfOne = 12;
 
-/// FNV-1a over the numbers of all arguments; zero has one sign.
+/// Of the numbers of all arguments, bit by bit; zero has one sign.
 std::uint64_t questionOf(const std::vector<ArgumentItem>& items) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  const auto add = [&hash](std::uint64_t bits) {
-    for (int byte = 0; byte < 8; ++byte) hash = (hash ^ ((bits >> (8 * byte)) & 0xff)) * 1099511628211ULL;
-  };
+  std::string bytes;
   for (const ArgumentItem& item : items) {
-    for (const double number : item.numbers) add(std::bit_cast<std::uint64_t>(number + 0.0));
+    for (const double number : item.numbers) {
+      const auto bits = std::bit_cast<std::array<char, sizeof(double)>>(number + 0.0);
+      bytes.append(bits.begin(), bits.end());
+    }
   }
-  return hash;
+  return fnv1a(bytes);
 }
 
 }  // namespace

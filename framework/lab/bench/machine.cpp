@@ -1,12 +1,12 @@
 #include "lab/bench/machine.h"
 
 #include "base/file.h"
+#include "base/text/fnv1a.h"
 
 #include <fmt/format.h>
 #include <sys/utsname.h>
 #include <cctype>
 #include <chrono>
-#include <cstdint>
 #include <sstream>
 #include <thread>
 
@@ -84,10 +84,8 @@ Machine thisMachine() {
 }
 
 std::string programStamp() {
-  std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
-  const std::string bytes = tryReadFile("/proc/self/exe").value_or(__DATE__ __TIME__) + processorName();
-  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
-  return fmt::format("muelle bench {:016x}", hash);
+  return fmt::format("muelle bench {:016x}",
+                     fnv1a(tryReadFile("/proc/self/exe").value_or(__DATE__ __TIME__) + processorName()));
 }
 
 }  // namespace muelle::bench
