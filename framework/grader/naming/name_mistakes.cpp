@@ -146,14 +146,14 @@ class Namer {
     if (const auto clue = evidence.wrong < fewestWrong ? std::nullopt : wholeVariable(source_, function)) {
       return NamedMistake{"whole_numbers", function,
                           fmt::format("line {}, {}: {} keeps whole numbers only, and is given one with a fraction",
-                                      clue->line, function, clue->token),
+                                      clue->line, clue->function, clue->token),
                           "Declare it as double."};
     }
     const auto clue = integerDivision(source_, function);
     if (!clue) return std::nullopt;
     return NamedMistake{"integer_division", function,
                         fmt::format("line {}, {}: {} computes with whole numbers, which have no fractions", clue->line,
-                                    function, clue->token),
+                                    clue->function, clue->token),
                         "Write 1.0 / 2 or 0.5, and start a sum with 0.0."};
   }
 

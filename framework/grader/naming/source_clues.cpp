@@ -24,6 +24,7 @@ int lineOf(std::string_view source, std::string_view token) {
 
 /// Parameters and body of a function.
 struct Definition {
+  std::string_view name;
   Tokens parameters;
   Tokens body;
 };
@@ -36,7 +37,7 @@ std::vector<Definition> definitionsBelow(std::string_view source, std::string_vi
   for (std::size_t i = 0; i < names.size() && i < most; ++i) {
     const std::optional<FunctionText> text = functionText(source, names[i]);
     if (!text) continue;
-    found.push_back({sourceTokens(text->parameters), sourceTokens(text->body)});
+    found.push_back({names[i], sourceTokens(text->parameters), sourceTokens(text->body)});
     const Tokens& body = found.back().body;
     for (std::size_t at = 0; at + 1 < body.size(); ++at) {
       if (body[at + 1] == "(" && std::ranges::find(names, body[at]) == names.end()) names.push_back(body[at]);
@@ -116,16 +117,20 @@ std::optional<std::string_view> cutNumber(const Definition& definition) {
   return std::nullopt;
 }
 
+SourceClue clue(std::string_view source, const Definition& definition, std::string_view at, std::string_view token) {
+  return {lineOf(source, at), std::string(definition.name), std::string(token)};
+}
+
 }  // namespace
 
 std::optional<SourceClue> integerDivision(std::string_view source, std::string_view function) {
   for (const Definition& definition : definitionsBelow(source, function)) {
     const Tokens& body = definition.body;
     for (std::size_t i = 0; i < body.size(); ++i) {
-      if (sumsWholeNumbers(body, i)) return SourceClue{lineOf(source, body[i]), "accumulate(..., 0)"};
+      if (sumsWholeNumbers(body, i)) return clue(source, definition, body[i], "accumulate(..., 0)");
       if (!dividesWholeNumbers(body, i)) continue;
       const char* end = body[i + 1].data() + body[i + 1].size();
-      return SourceClue{lineOf(source, body[i]), std::string(body[i - 1].data(), end)};
+      return clue(source, definition, body[i], {body[i - 1].data(), end});
     }
   }
   return std::nullopt;
@@ -133,7 +138,7 @@ std::optional<SourceClue> integerDivision(std::string_view source, std::string_v
 
 std::optional<SourceClue> wholeVariable(std::string_view source, std::string_view function) {
   for (const Definition& definition : definitionsBelow(source, function)) {
-    if (const auto name = cutNumber(definition)) return SourceClue{lineOf(source, *name), std::string(*name)};
+    if (const auto name = cutNumber(definition)) return clue(source, definition, *name, *name);
   }
   return std::nullopt;
 }
@@ -142,7 +147,7 @@ std::optional<SourceClue> singlePrecision(std::string_view source) {
   for (const std::string_view token : sourceTokens(source)) {
     const bool isType = token == "float" || token == "Vector3f" || token == "Vector2f" || token == "VectorXf" ||
                         token == "fabsf" || token == "sqrtf";
-    if (isType) return SourceClue{lineOf(source, token), std::string(token)};
+    if (isType) return SourceClue{lineOf(source, token), "", std::string(token)};
   }
   return std::nullopt;
 }

@@ -7,7 +7,8 @@ namespace muelle::grader {
 
 /// What in a source explains a wrong number, with its line.
 struct SourceClue {
-  int line = 0;  ///< from 1
+  int line = 0;          ///< from 1
+  std::string function;  ///< in whose body it stands; "" of one that is sought in the whole file
   std::string token;
 };
 
