@@ -14,6 +14,8 @@
 ///  - masses are from 1e-6 to 1e6 kg, stiffnesses from 1e-3 to 1e9 N/m, rest lengths from 0 to 1000 m, a
 ///    coordinate is at most 1000 m in size. Nothing else is passed, so nothing else needs a check.
 ///  - Numbers are double, and derivatives are formulas: exact to round-off.
+///  - Near rest the energy keeps its digits: where a spring is stretched by a millionth or a thousand-millionth of its
+///    length, too. Subtract the lengths before you square.
 ///  - Where two nodes coincide their spring (L = 0) has no direction: it contributes no force, never NaN, and the two
 ///    other springs act as usual. Its energy is not zero: it is that of a spring compressed to nothing.
 ///  - Every L > 0 has a direction, however small: 1e-9 m has one, and so has 1e-100 m, the shortest that is passed.

@@ -412,25 +412,25 @@ MUELLE_MISTAKE(frictionForce, friction_not_normalised, [](const Vec3& v, const V
       };
     });
 
-// Nodes inside on their way in, where the damper counts too. Below the plane along each axis, so that a part of the sum
-// (x - p) . n tells the same.
+// Nodes inside on their way in, where the damper counts too; so deep and fast that something is left of a number that
+// is cut to a whole one. Below the plane along each axis, so that a part of the sum (x - p) . n tells the same.
 MUELLE_ARGUMENTS(planeContact, [](Random& random) {
   Vec3 n = random.roundedDirection();
   n.z() = std::abs(n.z());
   const Vec3 p = threeDigits(random.vector3(3.0));
   Vec3 x, v;
   for (int i = 0; i < 3; ++i) {
-    x[i] = threeDigits(p[i] - random.number(0.1, 0.4) * n[i]);
-    v[i] = threeDigits(-random.number(0.3, 2.0) * n[i]);
+    x[i] = threeDigits(p[i] - random.number(4.0, 40.0) * n[i]);
+    v[i] = threeDigits(-random.number(3.0, 90.0) * n[i]);
   }
   const double k = random.rounded(200.0, 2000.0), d = random.rounded(3.0, 30.0);
   return std::tuple(x, v, p, n, k, d);
 });
 MUELLE_ARGUMENTS(sphereContact, [](Random& random) {
   const Vec3 n = random.roundedDirection(), c = threeDigits(random.vector3(3.0));
-  const double R = random.rounded(1.5, 3.0);
-  const Vec3 x = threeDigits(Vec3(c + (R - random.number(0.1, 0.4)) * n));
-  const Vec3 v = threeDigits(Vec3(-random.number(0.3, 2.0) * n));
+  const double R = random.rounded(60.0, 300.0);
+  const Vec3 x = threeDigits(Vec3(c + (R - random.number(4.0, 40.0)) * n));
+  const Vec3 v = threeDigits(Vec3(-random.number(3.0, 90.0) * n));
   const double k = random.rounded(200.0, 2000.0), d = random.rounded(3.0, 30.0);
   return std::tuple(x, v, c, R, k, d);
 });

@@ -197,6 +197,22 @@ Vec6 slopes(const Case& spring, double h) {
 
 namespace {
 
+/// Stretched and compressed by 2^-10, 2^-20, 2^-30 m: differences of which every square root and sum is exact.
+std::vector<Case> springsNearRest() {
+  std::vector<Case> springs;
+  for (const Vec3& r : {Vec3(1.5, 0.0, 0.0), Vec3(0.75, 1.0, 0.0), Vec3(0.5, 1.0, 1.0)}) {
+    for (const double stretch : {0x1p-10, -0x1p-20, 0x1p-30}) {
+      springs.push_back({stacked(r, Vec3::Zero()), 370.0, r.norm() - stretch});
+    }
+  }
+  return springs;
+}
+
+/// Lengths of some 1.5 m by any formula are off by three roundings, 5e-16 m: of the smallest stretch, 9e-10 m, that is
+/// 5e-7, and twice as much of its square. What squares first is off by 5e-16 of L^2, which is 6e-4 of the energy at a
+/// stretch of 2^-20 m and 600 times the energy at 2^-30 m.
+double nearRest(const Case& s) { return 1e-5 * oracle::springEnergy(s.x, s.k, s.L0); }
+
 struct Case1d {
   Vec2 x;
   double k;
@@ -237,6 +253,15 @@ TEST(EnergyInOneDimension, HoldsForEveryStiffnessAndLength) {
   for (const Case& s : nearlyRelaxedSprings(1e-6)) expectEnergy(Case1d{{-0.5, 1.25}, s.k, s.L0});
 }
 
+TEST(EnergyInOneDimension, KeepsItsDigitsNearRest) {
+  MUELLE_PROPERTY("in 1D, near rest, the lengths are subtracted before they are squared: the energy keeps its digits");
+  for (const Case& s : springsNearRest()) {
+    const Case1d line{{s.L(), 0.0}, s.k, s.L0};
+    EXPECT_NUMBER_NEAR(submission::springEnergy1d(line.x, line.k, line.L0),
+                       oracle::springEnergy1d(line.x, line.k, line.L0), nearRest(s));
+  }
+}
+
 TEST(EnergyInOneDimension, DependsOnTheDistanceAlone) {
   MUELLE_PROPERTY("in 1D the energy stays the same when the nodes swap places or both move by the same amount");
   Random random = testRandom();
@@ -269,6 +294,13 @@ TEST(EnergyInSpace, HoldsForEveryStiffnessAndLength) {
   for (const Case& s : springsOfTheWholeRange()) expectEnergy(s);
   for (const Case& s : exactShortSprings(0.01, 0.0)) expectEnergy(s);
   for (const Case& s : nearlyRelaxedSprings(1e-6)) expectEnergy(s);
+}
+
+TEST(EnergyInSpace, KeepsItsDigitsNearRest) {
+  MUELLE_PROPERTY("near rest the lengths are subtracted before they are squared: the energy keeps its digits");
+  for (const Case& s : springsNearRest()) {
+    EXPECT_NUMBER_NEAR(submission::springEnergy(s.x, s.k, s.L0), oracle::springEnergy(s.x, s.k, s.L0), nearRest(s));
+  }
 }
 
 TEST(EnergyInSpace, DoesNotChangeWhenTheSpringIsMovedOrTurned) {

@@ -301,16 +301,16 @@ struct GeneralSpring {
   double xa, xb, k, L0;
 };
 
-/// Stretched or compressed, on either side.
+/// Stretched or compressed, on either side; so long that something is left of a stretch that is cut to a whole number.
 GeneralSpring generalSpring(Random& random) {
-  const double xb = random.rounded(-2.0, 2.0), L0 = random.rounded(0.4, 1.6);
+  const double xb = random.rounded(-200.0, 200.0), L0 = random.rounded(40.0, 160.0);
   const double L = L0 * random.number(0.3, 1.9);
   const double xa = threeDigits(random.integer(0, 1) == 0 ? xb + L : xb - L);
   return {xa, xb, threeDigits(random.positive(5.0, 500.0)), L0};
 }
 
 Attachment generalAttachment(Random& random) {
-  return {random.rounded(-3.0, 3.0), threeDigits(random.positive(5.0, 500.0)), random.rounded(0.4, 1.6)};
+  return {random.rounded(-300.0, 300.0), threeDigits(random.positive(5.0, 500.0)), random.rounded(40.0, 160.0)};
 }
 
 }  // namespace
@@ -332,14 +332,14 @@ MUELLE_ARGUMENTS(springForceOnB, [](Random& random) {
 });
 
 MUELLE_ARGUMENTS(hangingAcceleration, [](Random& random) {
-  const double x = random.rounded(-1.0, 1.0), m = threeDigits(random.positive(0.2, 5.0));
+  const double x = random.rounded(-100.0, 100.0), m = threeDigits(random.positive(0.2, 5.0));
   const double g = random.rounded(1.0, 20.0);
   const Attachment top = generalAttachment(random);
   return std::tuple(x, m, top, g);
 });
 
 MUELLE_ARGUMENTS(accelerationBetween, [](Random& random) {
-  const double x = random.rounded(-1.0, 1.0), m = threeDigits(random.positive(0.2, 5.0));
+  const double x = random.rounded(-100.0, 100.0), m = threeDigits(random.positive(0.2, 5.0));
   const double g = random.rounded(1.0, 20.0);
   const Attachment lower = generalAttachment(random), upper = generalAttachment(random);
   return std::tuple(x, m, lower, upper, g);

@@ -313,10 +313,11 @@ struct GeneralSpring {
   double k, L0;
 };
 
-/// Stretched or compressed, in any direction.
+/// Stretched or compressed, in any direction; so long that something is left of a stretch that is cut to a whole
+/// number.
 GeneralSpring generalSpring(Random& random) {
-  const Vec3 xb = threeDigits(random.vector3(2.0));
-  const double L0 = random.rounded(0.4, 1.6);
+  const Vec3 xb = threeDigits(random.vector3(200.0));
+  const double L0 = random.rounded(40.0, 160.0);
   const Vec3 xa = threeDigits(Vec3(xb + L0 * random.number(0.3, 1.9) * random.direction()));
   return {xa, xb, threeDigits(random.positive(5.0, 500.0)), L0};
 }
@@ -339,12 +340,12 @@ MUELLE_ARGUMENTS(springForce, [](Random& random) {
 });
 
 MUELLE_ARGUMENTS(nodeAcceleration, [](Random& random) {
-  const Vec3 x = threeDigits(random.vector3(1.0));
+  const Vec3 x = threeDigits(random.vector3(100.0));
   const double m = threeDigits(random.positive(0.2, 5.0)), g = random.rounded(1.0, 20.0);
   std::vector<Attachment> springs;
   for (int i = 0; i < 3; ++i) {
     springs.push_back(
-        {threeDigits(random.vector3(3.0)), threeDigits(random.positive(5.0, 500.0)), random.rounded(0.4, 1.6)});
+        {threeDigits(random.vector3(300.0)), threeDigits(random.positive(5.0, 500.0)), random.rounded(40.0, 160.0)});
   }
   return std::tuple(x, m, springs, g);
 });

@@ -274,6 +274,19 @@ TEST(TriangleEnergy, IsLeastAtRest) {
   for (const Case& c : nearlyRelaxedTriangles(1e-6)) expectEnergy(c);
 }
 
+TEST(TriangleEnergy, KeepsItsDigitsNearRest) {
+  MUELLE_PROPERTY("near rest the lengths are subtracted before they are squared: the energy keeps its digits");
+  // Sides of 1.5, 2 and 2.5 m, which every formula gives exactly or with three roundings, 7e-16 m: of a stretch of
+  // 2^-30 m that is 8e-7, and twice as much of its square. What squares first is off by 5e-16 of L^2: 6e-4 of the
+  // energy at 2^-20 m and hundreds of times the energy at 2^-30 m.
+  const Vec9 x = stacked(Vec3(0, 0, 0), Vec3(1.5, 0, 0), Vec3(0, 0, 2));
+  for (const double stretch : {0x1p-10, -0x1p-20, 0x1p-30}) {
+    const Vec3 k(73, 48, 59), L0 = Vec3(1.5, 2.5, 2).array() - stretch;
+    const double E = oracle::triangleEnergy(x, k, L0);
+    EXPECT_NUMBER_NEAR(submission::triangleEnergy(x, k, L0), E, 1e-5 * E);
+  }
+}
+
 TEST(TriangleEnergy, HoldsForEveryStiffnessAndLength) {
   MUELLE_PROPERTY("the energy is right for the softest and the hardest springs, and for any rest length, 0 too");
   for (const Case& c : trianglesOfTheWholeRange()) expectEnergy(c);
