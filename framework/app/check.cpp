@@ -6,6 +6,7 @@
 #include "course/check/exercise_check.h"
 #include "course/check/fault_sentences.h"
 #include "course/check/handed_out.h"
+#include "course/check/prediction.h"
 #include "course/manifest.h"
 #include "course/unfinished.h"
 
@@ -13,7 +14,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -27,6 +30,7 @@ namespace {
 struct CheckOptions {
   std::string topic;
   std::string file;
+  std::string predict;
   bool noPlot = false;
   bool all = false;
 };
@@ -56,6 +60,7 @@ class Check {
 
   /// Prints the verdict, then draws; true when everything passes.
   bool run() {
+    requireAnswer();
     nameChanged();
     if (compilesWithClang()) {
       fmt::print("{}\n", dim(fmt::format("compiled with {}; the course is graded with g++", build_paths::compiler)));
@@ -72,12 +77,22 @@ class Check {
     printVerdict(report, program);
     // The verdict is what the student waits for; the curves may follow.
     std::fflush(stdout);
-    if (!options_.noPlot) printCurves(drawCurves(program, folders_.out / exercise_.topic));
+    if (!options_.noPlot) draw(program);
     if (!report.allPassed()) printNext();
     return report.allPassed();
   }
 
  private:
+  void requireAnswer() const {
+    const Prediction& predict = exercise_.predict;
+    if (options_.predict.empty() || chosenAnswer(predict, options_.predict)) return;
+    if (predict.question.empty()) {
+      throw std::invalid_argument(fmt::format("--predict: {} asks for no prediction; leave it out", exercise_.topic));
+    }
+    throw std::invalid_argument(fmt::format("--predict {}: answer with a number, {}", printableLine(options_.predict),
+                                            numberedAnswers(predict, ", ")));
+  }
+
   /// What is unfinished for lack of such a file has been named before any command.
   void nameChanged() const {
     if (unfinishedExercises(build_paths::binary).contains(exercise_.topic)) return;
@@ -124,9 +139,37 @@ class Check {
     return mistakes;
   }
 
-  static void printCurves(const CurvesReport& curves) {
-    for (const fs::path& figure : curves.figures) fmt::print("  curve: {}\n", shortPath(figure));
+  void draw(const StudentProgram& program) const {
+    const std::optional<std::string> prediction = predicted();
+    const std::string remark = prediction ? "you predicted: " + *prediction : "";
+    const CurvesReport curves = drawCurves(program, folders_.out / exercise_.topic, remark);
+    for (const fs::path& figure : curves.figures) {
+      const bool isFirst = &figure == &curves.figures.front();
+      fmt::print("  curve: {}{}\n", shortPath(figure), isFirst && prediction ? fmt::format("  ({})", remark) : "");
+    }
     if (!curves.trouble.empty()) fmt::print("  no curves: {}\n", curves.trouble);
+  }
+
+  /// What the student expects of the curve: given on the command line, kept from an earlier time, or asked for on a
+  /// terminal, before the curve is seen.
+  std::optional<std::string> predicted() const {
+    const Prediction& predict = exercise_.predict;
+    if (predict.question.empty()) return std::nullopt;
+    const fs::path folder = folders_.out / exercise_.topic;
+    std::optional<std::string> answer = chosenAnswer(predict, options_.predict);
+    if (!answer) answer = keptPrediction(predict, folder);
+    if (!answer && isTalkedTo()) answer = ask(predict);
+    if (answer) keepPrediction(*answer, folder);
+    return answer;
+  }
+
+  static std::optional<std::string> ask(const Prediction& predict) {
+    fmt::print("\n{} {}\n  {}\nyour prediction (1 to {}, for no points; Enter to leave it): ",
+               bold("before the curve:"), predict.question, numberedAnswers(predict, "\n  "), predict.answers.size());
+    std::fflush(stdout);
+    std::string line;
+    std::getline(std::cin, line);
+    return chosenAnswer(predict, line);
   }
 
   void printNext() const {
@@ -201,6 +244,8 @@ void addCheck(CommandLine& program) {
   const CommandLineOption topic = command.option(
       "EXERCISE", options->topic, "Which exercise; without it, the first in course order with something to mend");
   command.option("--file", options->file, "Check this file instead of exercises/EXERCISE/EXERCISE.cpp");
+  command.option("--predict", options->predict,
+                 "What you expect of the curve, where the exercise asks: an answer or its number");
   command.flag("--no-plot", options->noPlot, "Draw no curves");
   command.flag("--all", options->all, "Go on to the other exercises when one fails").excludes(topic);
   command.footer(

@@ -31,6 +31,8 @@ std::string red(std::string_view text) { return styled("1;31", text); }
 std::string green(std::string_view text) { return styled("1;32", text); }
 std::string dim(std::string_view text) { return styled("2", text); }
 
+bool isTalkedTo() { return isatty(STDIN_FILENO) == 1 && isatty(STDOUT_FILENO) == 1; }
+
 int terminalWidth() {
   winsize size{};
   const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;

@@ -13,6 +13,9 @@ std::string red(std::string_view text);
 std::string green(std::string_view text);
 std::string dim(std::string_view text);
 
+/// Whether somebody may answer a question: standard input and output are terminals.
+bool isTalkedTo();
+
 /// Columns of the terminal, or 100 when standard output is none.
 int terminalWidth();
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -108,8 +109,20 @@ void readMisconceptions(const TomlTable& table, Manifest& manifest) {
   }
 }
 
+Prediction readPrediction(const TomlTable& table) {
+  constexpr std::size_t most = 9, longest = 60;
+  const TomlTable::Keys keys{"question", "answers"};
+  table.checkKeys(keys, keys);
+  const auto isShort = [](const std::string& answer) { return !answer.empty() && answer.size() <= longest; };
+  Prediction predict{table.text("question"), table.texts("answers", isShort, "an answer of at most 60 characters")};
+  if (predict.answers.size() < 2 || predict.answers.size() > most) {
+    table.fail("answers", fmt::format("from two to {} answers to choose from are needed", most));
+  }
+  return predict;
+}
+
 Manifest interpret(const TomlTable& table, const std::string& topic) {
-  table.checkKeys({"order", "title", "points", "files", "feedback", "slides", "criterion", "misconception"},
+  table.checkKeys({"order", "title", "points", "files", "feedback", "slides", "predict", "criterion", "misconception"},
                   {"order", "title", "points", "files", "criterion"});
   if (!isLowerName(topic)) {
     table.failHere(fmt::format("the folder's name '{}' is the topic: it may have a-z, 0-9 and _ only", topic));
@@ -125,6 +138,7 @@ Manifest interpret(const TomlTable& table, const std::string& topic) {
   manifest.slides = table.texts("slides", isAnyText, "the title of a slide");
   readCriteria(table, manifest);
   readMisconceptions(table, manifest);
+  if (const std::optional<TomlTable> predict = table.table("predict")) manifest.predict = readPrediction(*predict);
   return manifest;
 }
 

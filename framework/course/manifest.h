@@ -32,6 +32,12 @@ struct Misconception {
   std::string hint;      ///< how to mend it
 };
 
+/// What a student is asked before the demo runs for the first time, for no points: "does the swing keep its height?"
+struct Prediction {
+  std::string question;              ///< "" when nothing is asked
+  std::vector<std::string> answers;  ///< from which one is chosen
+};
+
 /// What exercises/TOPIC/exercise.toml says.
 struct Manifest {
   std::string topic;  ///< the folder's name: "spring_1d"
@@ -43,6 +49,7 @@ struct Manifest {
   std::vector<std::string> slides;  ///< titles of the lecture's slides
   std::vector<Criterion> criteria;
   std::vector<Misconception> misconceptions;
+  Prediction predict;
 };
 
 /// Reads one manifest. Throws std::runtime_error with file, line, key, what was expected and the nearest known key.

@@ -281,6 +281,13 @@ FixedRange reachOf(const Panel& panel, std::vector<double> Series::*axis) {
 
 }  // namespace
 
+Figure Figure::withRemark(const std::string& remark) const {
+  Figure remarked = *this;
+  remarked.title_ += "; " + remark;
+  requireDrawable("title", remarked.title_);
+  return remarked;
+}
+
 Figure Figure::over(const Figure& reference) const {
   if (reference.panels_.size() != panels_.size()) {
     throw std::invalid_argument(

@@ -160,6 +160,10 @@ class Figure {
   /// axis is left out where the panel below has the same. Throws std::invalid_argument when columns < 1.
   Figure& slide(int columns = 1);
 
+  /// This figure with a few words more behind its title: "A node on a spring; you predicted: 0.6 s". Throws as the
+  /// constructor does.
+  Figure withRemark(const std::string& remark) const;
+
   const std::string& id() const { return id_; }
   const std::string& title() const { return title_; }
   const std::string& xLabel() const { return xLabel_; }

@@ -67,6 +67,18 @@ class ManifestFile : public testing::Test {
   TemporaryFolder folder_{std::filesystem::path(build_paths::binary) / "test"};
 };
 
+TEST_F(ManifestFile, MayAskForAPrediction) {
+  EXPECT_EQ(read(good).predict.question, "");
+  const std::string asks =
+      "slides = [\"Ley de Hooke\"]\n\n[predict]\nquestion = \"Does it stop?\"\nanswers = [\"yes\", \"no\"]";
+  const Manifest manifest = read(with("slides = [\"Ley de Hooke\"]", asks));
+  EXPECT_EQ(manifest.predict.question, "Does it stop?");
+  EXPECT_EQ(manifest.predict.answers, (std::vector<std::string>{"yes", "no"}));
+  EXPECT_NE(complaint(with("slides = [\"Ley de Hooke\"]", "[predict]\nquestion = \"Why?\"\nanswers = [\"so\"]"))
+                .find("from two to 9 answers"),
+            std::string::npos);
+}
+
 TEST_F(ManifestFile, HasEveryField) {
   const Manifest manifest = read(good);
   EXPECT_EQ(manifest.topic, "spring_1d");

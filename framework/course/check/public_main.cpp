@@ -43,15 +43,17 @@ std::string place() {
   return call.empty() ? "" : "what " + call.substr(0, call.find('(')) + " returned";
 }
 
+std::string nameOf(const testing::TestInfo& test) { return std::string(test.test_suite_name()) + "." + test.name(); }
+
 class ReportingListener : public testing::EmptyTestEventListener {
   void OnTestProgramStart(const testing::UnitTest& program) override {
-    report("tests", std::to_string(program.test_to_run_count()));
+    for (int i = 0; i < program.total_test_suite_count(); ++i) plan(*program.GetTestSuite(i));
   }
   void OnTestStart(const testing::TestInfo& test) override {
     CallRecord::setLastCall("");
     CallRecord::neverWritten().clear();
     lastMisuse().clear();
-    report("test", std::string(test.test_suite_name()) + "." + test.name());
+    report("test", nameOf(test));
   }
   void OnTestPartResult(const testing::TestPartResult& part) override {
     if (!part.failed()) return;
@@ -87,6 +89,14 @@ class ReportingListener : public testing::EmptyTestEventListener {
       } else if (const std::optional<double> difference = answers.difference()) {
         report("difference", exactText(*difference) + " " + function);
       }
+    }
+  }
+
+  /// So that check knows what a test that ends the process leaves.
+  static void plan(const testing::TestSuite& suite) {
+    for (int i = 0; i < suite.total_test_count(); ++i) {
+      const testing::TestInfo& test = *suite.GetTestInfo(i);
+      if (test.should_run()) report("planned", nameOf(test));
     }
   }
 
@@ -134,11 +144,14 @@ int runTests(int argc, char** argv) {
   return RUN_ALL_TESTS();
 }
 
-int drawDemo(const std::string& folder) {
+/// \param remark behind the title of the first figure; "" for none
+int drawDemo(const std::string& folder, const std::string& remark) {
   // A demo calls thousands of times; its arguments are of no use.
   CallRecord::printsArguments() = false;
   try {
-    for (const Figure& figure : MUELLE_DEMO_NAME()) {
+    std::vector<Figure> figures = MUELLE_DEMO_NAME();
+    if (!remark.empty() && !figures.empty()) figures.front() = figures.front().withRemark(remark);
+    for (const Figure& figure : figures) {
       writeFigure(figure, folder);
       ReportingListener::report("figure", figure.id() + ".svg");
     }
@@ -187,8 +200,8 @@ int main(int argc, char** argv) {
 #endif
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // a crash must not swallow what was printed before it
   muelle::watchForCrashes();
-  const bool drawsDemo = argc == 3 && std::string(argv[1]) == "demo";
-  const int status = drawsDemo ? muelle::drawDemo(argv[2]) : muelle::runTests(argc, argv);
+  const bool drawsDemo = (argc == 3 || argc == 4) && std::string(argv[1]) == "demo";
+  const int status = drawsDemo ? muelle::drawDemo(argv[2], argc == 4 ? argv[3] : "") : muelle::runTests(argc, argv);
   muelle::ReportingListener::report("done", "");
   std::cout.flush();
   std::fflush(stdout);

@@ -1,4 +1,4 @@
-// loses: HookeForce, CrossedNodes, ShortSpring; misconception: difference_quotient
+// loses: HookeForce, CrossedNodes, ShortSpring; misconception: difference_quotient or threshold
 // thought: force is minus the slope of the energy
 #include "spring_1d.h"
 
