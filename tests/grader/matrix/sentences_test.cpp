@@ -1,5 +1,6 @@
 #include "grader/matrix/sentences.h"
 
+#include "base/build_paths.h"
 #include "base/file.h"
 
 #include <gtest/gtest.h>
@@ -35,6 +36,22 @@ TEST(Sentences, AreHeldAgainstTheGoldenFile) {
   EXPECT_TRUE(differencesOfSentences(file, {"a"}, false).empty());
   EXPECT_EQ(differencesOfSentences(file, {"a"}, true).size(), 1U);
   EXPECT_EQ(differencesOfSentences(file, {"a", "b", "c"}, false).size(), 1U);
+}
+
+/// What GoogleTest says of its own expectations is C++ with names of the test's.
+TEST(Sentences, AreNoneOfGoogleTests) {
+  const std::filesystem::path submissions = std::filesystem::path(build_paths::source) / "tests" / "submissions";
+  int files = 0;
+  for (const auto& folder : std::filesystem::directory_iterator(submissions)) {
+    const std::filesystem::path file = folder.path() / "sentences.txt";
+    if (!std::filesystem::exists(file)) continue;
+    const std::string told = readFile(file);
+    for (const char* words : {"Expected: (", "Expected equality", "Which is:", "Value of:"}) {
+      EXPECT_EQ(told.find(words), std::string::npos) << file << " has " << words;
+    }
+    ++files;
+  }
+  EXPECT_GT(files, 0);
 }
 
 }  // namespace
