@@ -11,12 +11,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path source = build_paths::source;
+const fs::path checkout = build_paths::source;
 
 /// What is said, in one line, of a name that is refused.
 std::string refusalOf(const std::string& topic) {
   try {
-    scaffoldOf(source, topic);
+    scaffoldOf(checkout, topic);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -34,7 +34,7 @@ TEST(ScaffoldName, IsOfLowerCaseWords) {
 }
 
 TEST(ScaffoldName, IsNotTaken) {
-  const std::string taken = readCourse(source / "exercises").front().topic;
+  const std::string taken = readCourse(checkout / "exercises").front().topic;
   EXPECT_EQ(refusalOf(taken), "exercises/" + taken + " exists already: take another name");
   EXPECT_EQ(refusalOf("hostile"), "tests/submissions/hostile exists already: take another name");
 }
@@ -43,22 +43,22 @@ TEST(ScaffoldOrder, IsBehindTheLastExercise) {
   const TemporaryFolder folder(fs::path(build_paths::binary) / "test");
   const fs::path manifest = folder.path() / "exercises/swing/exercise.toml";
   fs::create_directories(manifest.parent_path());
-  writeFile(manifest, scaffoldOf(source, "swing").at("exercises/swing/exercise.toml"));
+  writeFile(manifest, scaffoldOf(checkout, "swing").at("exercises/swing/exercise.toml"));
   EXPECT_EQ(readManifest(manifest).order % 10, 0);
-  EXPECT_GT(readManifest(manifest).order, readCourse(source / "exercises").back().order);
+  EXPECT_GT(readManifest(manifest).order, readCourse(checkout / "exercises").back().order);
 }
 
 TEST(WriteScaffold, WritesAllFoldersOrNone) {
-  const TemporaryFolder checkout(fs::path(build_paths::binary) / "test");
-  const Tree files = scaffoldOf(source, "swing");
-  writeScaffold(checkout.path(), "swing", files);
-  for (const auto& [file, text] : files) EXPECT_EQ(readFile(checkout.path() / file), text) << file;
+  const TemporaryFolder scratch(fs::path(build_paths::binary) / "test");
+  const Tree files = scaffoldOf(checkout, "swing");
+  writeScaffold(scratch.path(), "swing", files);
+  for (const auto& [file, text] : files) EXPECT_EQ(readFile(scratch.path() / file), text) << file;
 
-  for (const fs::path& folder : foldersOf("swing")) fs::remove_all(checkout.path() / folder);
-  fs::remove_all(checkout.path() / "tests");
-  writeFile(checkout.path() / "tests", "a file where a folder should be");
-  EXPECT_ANY_THROW(writeScaffold(checkout.path(), "swing", files));
-  EXPECT_FALSE(fs::exists(checkout.path() / "exercises/swing"));
+  for (const fs::path& folder : foldersOf("swing")) fs::remove_all(scratch.path() / folder);
+  fs::remove_all(scratch.path() / "tests");
+  writeFile(scratch.path() / "tests", "a file where a folder should be");
+  EXPECT_ANY_THROW(writeScaffold(scratch.path(), "swing", files));
+  EXPECT_FALSE(fs::exists(scratch.path() / "exercises/swing"));
 }
 
 }  // namespace
