@@ -87,7 +87,7 @@ class FileLint {
       const std::size_t mark = line.find(writeMark);
       if (mark == std::string::npos) continue;
       std::string what(trimmed(line.substr(mark + std::string_view(writeMark).size())));
-      if (what.ends_with("-->")) what = std::string(trimmed(what.substr(0, what.size() - 3)));
+      what = std::string(trimmed(what.substr(0, std::min(what.find("-->"), what.find("](")))));  // of a page
       add(fmt::format("{}:{}", file, number), "still to be written: " + what, "then take the mark out");
     }
   }

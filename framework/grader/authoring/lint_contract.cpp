@@ -75,7 +75,7 @@ class Contract {
 
   static bool hasUnit(const std::string& words) {
     static const std::regex unit(
-        R"(\[[^\]]+\]|unit vector|[Dd]irection|[Nn]umbers? of|[Ii]ndex|[Ii]ndices|[Ii]ndexed|without unit|no unit|[Ww]hether|true)");
+        R"(\[[^\]]+\]|unit vector|[Dd]irection|[Nn]umbers? of|[Ii]ndex|[Ii]ndices|[Ii]ndexed|[Dd]imensionless|without unit|no unit|[Ww]hether|true)");
     return std::regex_search(words, unit);
   }
 

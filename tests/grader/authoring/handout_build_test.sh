@@ -27,7 +27,10 @@ echo "first check from nothing: $spent s of processor time"
 [[ $status -eq 1 ]] || complain "the first check ends with $status: $said"
 [[ $said == *"✗"*"$first"*"mend first:"*"hint:"*"next:"*"edit"*"exercises/$first/"* ]] ||
   complain "the first check does not say what to mend: $said"
-[[ $spent -le 60 ]] || complain "the first check takes $spent s of processor time, more than 60"
+# What else works on the machine makes every second of it longer: then three times as long is allowed.
+most=60
+if awk '{ exit !($1 > 4) }' /proc/loadavg 2>/dev/null; then most=180; fi
+[[ $spent -le $most ]] || complain "the first check takes $spent s of processor time, more than $most"
 if grep -q -i -E 'seccomp|archive|pugixml|nlohmann|libcrypto' "$tree/build/build.ninja"; then
   complain "a student's build asks for the instructor's libraries"
 fi
