@@ -72,6 +72,12 @@ class Search {
     }
   }
 
+  /// The first one says enough.
+  void findMark() {
+    const std::size_t place = text_.find(writeMark);
+    if (place != std::string::npos) add(place, "is still to be written (./muelle lint names each line)");
+  }
+
   void findPaths(const std::vector<std::string>& paths) {
     for (const std::string& path : paths) {
       const std::size_t place = path.size() > 1 ? text_.find(path) : std::string::npos;
@@ -143,6 +149,7 @@ std::vector<Leak> findLeaks(const Tree& tree, const Withheld& withheld, const st
     }
     // What an author says in public, too, is not the hidden tests' own.
     if (!file.starts_with("exercises/")) search.findSentences();
+    if (file.starts_with("exercises/")) search.findMark();
     search.findNames(known);
     search.findPaths(paths);
   }

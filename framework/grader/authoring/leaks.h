@@ -11,6 +11,9 @@ namespace muelle::grader {
 /// The files of a student's tree: path -> text.
 using Tree = std::map<std::string, std::string>;
 
+/// Stands in every line of a scaffold that its author has to write: "WRITE: what".
+inline constexpr const char* writeMark = "WRITE:";
+
 /// Something in a student's tree that is not for students.
 struct Leak {
   std::string file;

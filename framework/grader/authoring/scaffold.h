@@ -7,9 +7,6 @@
 
 namespace muelle::grader {
 
-/// Stands in every line of a scaffold that its author has to write: "WRITE: what".
-inline constexpr const char* writeMark = "WRITE:";
-
 /// All files of a new exercise, path -> text: a small one that is complete, so that it builds at once; two tests, one
 /// of the public and one of the hidden ones, fail until they are taken out. Throws std::invalid_argument, one line, for
 /// a name that is none (a-z, digits and single _ between them) or taken.

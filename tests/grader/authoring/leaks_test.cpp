@@ -73,6 +73,11 @@ TEST_F(Leaks, FilesAndPathsAreFound) {
   expectOne("CMakePresets.json", "\"binaryDir\": \"/srv/course/build\"", "path of this machine");
 }
 
+TEST_F(Leaks, AScaffoldIsNotHandedOut) {
+  expectOne("exercises/a/README.md", "# A\n<!-- WRITE: the mathematics -->\n",
+            "exercises/a/README.md:2 is still to be written");
+}
+
 TEST(OwnNumbers, HaveAFractionAndFourDigitsThatCount) {
   for (const char* number : {"0.858375", "12.34", "1.2345e-3"}) EXPECT_TRUE(isOwnNumber(number)) << number;
   for (const char* number : {"100.0", "9.81", "0.0025", "1e9", "123456"}) EXPECT_FALSE(isOwnNumber(number)) << number;
