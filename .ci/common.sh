@@ -35,8 +35,9 @@ database_sources() {
 
 # Sources of the rooms that everyone gets.
 handed_out_rooms() {
-  find framework/base framework/harness framework/figures framework/course framework/app \
-    -path framework/app/instructor -prune -o -name '*.cpp' -print
+  local rooms
+  read -ra rooms <<<"$(sed -n 's/^set(MUELLE_HANDED_OUT_ROOMS \(.*\))$/\1/p' CMakeLists.txt)"
+  find "${rooms[@]/#/framework/}" framework/app -path framework/app/instructor -prune -o -name '*.cpp' -print
 }
 
 # Of the sources whose names come in on stdin those that the last 30 commits touched, at most sixty, the latest first: a

@@ -7,6 +7,7 @@
 #include "course/check/fault_sentences.h"
 #include "course/check/handed_out.h"
 #include "course/check/prediction.h"
+#include "course/check/public_parts.h"
 #include "course/manifest.h"
 #include "course/unfinished.h"
 
@@ -65,6 +66,7 @@ class Check {
     if (compilesWithClang()) {
       fmt::print("{}\n", dim(fmt::format("compiled with {}; the course is graded with g++", build_paths::compiler)));
     }
+    buildPublicParts(folders_.build, exercise_.topic);
     const StudentProgram program = buildStudentProgram(exercise_, sources_, folders_);
     if (!program.note.empty()) fmt::print("{}\n", dim(printableLine(program.note)));
     if (program.executable.empty()) {

@@ -14,20 +14,6 @@ namespace {
 
 using namespace muelle::app;
 
-using AddCommand = void (*)(muelle::CommandLine&);
-
-/// In the order of --help.
-constexpr AddCommand commands[] = {
-    addCheck, addList,
-#if MUELLE_HAS_GRADER
-    addGrade, addTestTheTests, addClean,
-#endif
-#if MUELLE_HAS_ENGINE
-    addRun,   addRest,         addAdvise, addHardCases, addBench, addFigures,
-#endif
-    addTest,  addDocs,
-};
-
 /// Whatever is asked for, an author is told what is still to be written.
 void nameUnfinished() {
   for (const auto& [topic, files] : muelle::unfinishedExercises(muelle::build_paths::binary)) {
@@ -45,7 +31,11 @@ int run(int argc, char** argv) {
     printNextSteps();
     return 0;
   });
-  for (const AddCommand add : commands) add(program);
+  addCheck(program);
+  addList(program);
+#if MUELLE_HAS_INSTRUCTOR
+  addInstructorCommands(program);
+#endif
   return program.run(argc, argv);
 }
 

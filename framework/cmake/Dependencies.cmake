@@ -19,7 +19,7 @@ target_link_libraries(muelle_flags INTERFACE fmt::fmt Eigen3::Eigen)
 target_compile_definitions(muelle_flags INTERFACE GTEST_HAS_PTHREAD=1)
 
 # The grader's own: absent on a student's machine.
-if(EXISTS ${CMAKE_SOURCE_DIR}/framework/grader/CMakeLists.txt)
+if(NOT MUELLE_STUDENTS_TREE)
   find_package(nlohmann_json REQUIRED)
   find_package(pugixml REQUIRED)
   pkg_check_modules(libarchive REQUIRED IMPORTED_TARGET libarchive)

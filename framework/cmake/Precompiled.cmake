@@ -1,7 +1,11 @@
 # Precompiled headers for all of our own code: Eigen/Core, {fmt}, the standard library's heavy headers and, for tests,
-# GoogleTest are read a few times instead of some hundred.
+# GoogleTest are read a few times instead of some hundred. A student's tree has too few sources for that.
 
-option(MUELLE_PCH "Read the large headers once, as a precompiled header" ON)
+set(default ON)
+if(MUELLE_STUDENTS_TREE)
+  set(default OFF)
+endif()
+option(MUELLE_PCH "Read the large headers once, as a precompiled header" ${default})
 
 # With `useful` headers besides those that all of our code reads.
 function(muelle_precompiled_target target useful)

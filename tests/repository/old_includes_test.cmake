@@ -1,7 +1,7 @@
 # cmake -DROOT=... -DFOLDER=... -P old_includes_test.cmake: an old include is found, wherever it stands, and is told with
 # its file and what has taken its place; every old name is gone and every new one is there.
 cmake_minimum_required(VERSION 3.22)
-include(${ROOT}/framework/cmake/OldIncludes.cmake)
+include(${ROOT}/framework/grader/authoring/OldIncludes.cmake)
 
 file(WRITE ${FOLDER}/good.cpp "#include \"harness/march.h\"\n// once harness/simulate.h\n")
 file(WRITE ${FOLDER}/tests/old.cpp "#include <vector>\n  #  include \"harness/simulate.h\"\n")

@@ -131,9 +131,11 @@ std::vector<fs::path> handedOut() {
     const fs::path& file = entry.path();
     if (entry.is_regular_file() && (file.extension() == ".h" || file.extension() == ".cpp")) files.push_back(file);
   };
-  for (const char* room :
-       {"framework/base", "framework/harness", "framework/figures", "framework/course", "exercises"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(source / room)) take(entry);
+  std::vector<fs::path> folders = {"exercises"};
+  std::istringstream rooms(MUELLE_HANDED_OUT_ROOMS);
+  for (std::string room; rooms >> room;) folders.push_back(fs::path("framework") / room);
+  for (const fs::path& folder : folders) {
+    for (const auto& entry : fs::recursive_directory_iterator(source / folder)) take(entry);
   }
   for (const auto& entry : fs::directory_iterator(source / "framework/app")) take(entry);  // not app/instructor
   return files;

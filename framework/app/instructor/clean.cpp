@@ -1,5 +1,5 @@
 #include "grader/run/clean.h"
-#include "app/commands.h"
+#include "app/instructor/commands.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 #include "grader/run/grade.h"
-#include "app/commands.h"
+#include "app/instructor/commands.h"
 #include "base/errors.h"
 #include "base/file.h"
 #include "base/progress_bar.h"

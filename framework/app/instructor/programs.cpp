@@ -1,7 +1,7 @@
 /// \file
 /// The engine's commands: programs of their own, so that the other commands do not wait until they are built.
 
-#include "app/commands.h"
+#include "app/instructor/commands.h"
 #include "base/build_paths.h"
 #include "base/process/child.h"
 

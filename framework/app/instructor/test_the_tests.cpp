@@ -1,5 +1,5 @@
-#include "app/commands.h"
-#include "app/run_ctest.h"
+#include "app/instructor/commands.h"
+#include "app/instructor/run_ctest.h"
 #include "base/file.h"
 #include "base/progress_bar.h"
 #include "grader/authors/mistake_text.h"

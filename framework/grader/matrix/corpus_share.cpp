@@ -64,12 +64,17 @@ std::map<std::string, std::string> readKnown(const fs::path& file) {
 CorpusShare::CorpusShare(fs::path corpus, int every)
     : corpus_(std::move(corpus)), every_(every), known_(readKnown(corpus_ / listName)) {}
 
+bool CorpusShare::knows(const fs::path& folder) const {
+  const auto known = known_.find(nameIn(corpus_, folder));
+  return known != known_.end() && known->second == digestOfFolder(folder);
+}
+
 bool CorpusShare::takes(const fs::path& folder) const {
-  const std::string name = nameIn(corpus_, folder);
-  const auto known = known_.find(name);
-  if (known == known_.end() || known->second != digestOfFolder(folder)) return true;
+  if (!knows(folder)) return true;
   constexpr std::size_t leading = 8;  // hexadecimal digits: enough to spread names evenly
-  return std::stoul(digest({name}).substr(0, leading), nullptr, 16) % static_cast<unsigned long>(every_) == 0;
+  return std::stoul(digest({nameIn(corpus_, folder)}).substr(0, leading), nullptr, 16) %
+             static_cast<unsigned long>(every_) ==
+         0;
 }
 
 int shareOfEnvironment() {

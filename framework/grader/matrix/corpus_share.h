@@ -21,6 +21,8 @@ class CorpusShare {
 
   /// \param folder of one submission, within the corpus
   bool takes(const std::filesystem::path& folder) const;
+  /// Whether the list holds the submission as it is now.
+  bool knows(const std::filesystem::path& folder) const;
 
  private:
   std::filesystem::path corpus_;

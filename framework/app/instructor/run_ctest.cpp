@@ -1,4 +1,4 @@
-#include "app/run_ctest.h"
+#include "app/instructor/run_ctest.h"
 
 #include "base/build_paths.h"
 #include "base/process/child.h"

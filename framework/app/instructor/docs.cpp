@@ -1,4 +1,4 @@
-#include "app/commands.h"
+#include "app/instructor/commands.h"
 #include "base/build_paths.h"
 #include "base/process/child.h"
 

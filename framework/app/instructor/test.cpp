@@ -1,5 +1,5 @@
-#include "app/commands.h"
-#include "app/run_ctest.h"
+#include "app/instructor/commands.h"
+#include "app/instructor/run_ctest.h"
 
 #include <fmt/format.h>
 #include <memory>
