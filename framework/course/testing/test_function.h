@@ -7,8 +7,8 @@
 
 namespace muelle {
 
-/// What a function of a test throws that was asked what it cannot answer, a vector of the wrong length: whoever asked is
-/// told so. \param what goes on after "springForce ": "asks for the force at 2 positions, where there are 3"
+/// What a function of a test throws that was asked what it cannot answer, a vector of the wrong length: whoever asked
+/// is told so. \param what goes on after "springForce ": "asks for the force at 2 positions, where there are 3"
 class BadQuestion : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
