@@ -3,6 +3,7 @@
 /// Values as C++ source: what a student can paste to repeat a failing call.
 
 #include "course/testing/struct_fields.h"
+#include "course/testing/test_function.h"
 #include "harness/types.h"
 
 #include <array>
@@ -24,7 +25,7 @@ inline std::string printValue(std::integral auto value) { return std::to_string(
 inline std::string printValue(const std::string& value) { return '"' + value + '"'; }
 
 template <class Result, class... Args>
-std::string printValue(const std::function<Result(Args...)>&);
+std::string printValue(const std::function<Result(Args...)>& function);
 template <class T>
 std::string printValue(const std::vector<T>& values);
 template <class T, std::size_t N>
@@ -50,10 +51,11 @@ std::string matrixName(int rows, int cols);
 
 }  // namespace detail
 
-/// A function argument cannot be written out.
+/// A function argument cannot be written out, unless it has its source with it.
 template <class Result, class... Args>
-std::string printValue(const std::function<Result(Args...)>&) {
-  return "/* a function of the test */";
+std::string printValue(const std::function<Result(Args...)>& function) {
+  const auto* written = function.template target<TestFunction<Result(Args...)>>();
+  return written != nullptr ? written->source() : "/* a function of the test */";
 }
 
 template <class T>

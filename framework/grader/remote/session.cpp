@@ -6,6 +6,7 @@
 #include "course/check/standard_message.h"
 #include "course/check/thrown_sentence.h"
 #include "course/testing/never_written.h"
+#include "course/testing/test_function.h"
 #include "grader/remote/fault.h"
 #include "grader/worker/glue.h"
 
@@ -216,6 +217,8 @@ void Session::answerCallback(const Request& request, const wire::Frame& frame, s
   } catch (const wire::WireError& error) {
     throw SubmissionFault(
         fmt::format("{} called its argument with malformed values: {}", request.function, error.what()));
+  } catch (const BadQuestion& question) {
+    throw SubmissionFault(fmt::format("{} {}", request.function, question.what()));
   }
   worker_->send(wire::FrameKind::Answer, nonce, frame.header.target, answer, patience, request.function);
 }

@@ -20,7 +20,7 @@ struct ArgumentItem {
   enum class Kind {
     Number,  ///< one number
     Whole,   ///< one whole number
-    Vector,  ///< a vector of fixed length
+    Vector,  ///< a vector
     List,    ///< a list: its length alone; its numbers follow as items of their own
     Field    ///< the numbers of one field of a list's structs, or of a list of numbers
   };
@@ -36,9 +36,9 @@ inline constexpr std::size_t mostComponents = 3;
 using Change = std::function<double(double)>;
 
 template <class T>
-constexpr bool isFixedVector = false;
+constexpr bool isVector = false;
 template <int Rows, int Options>
-constexpr bool isFixedVector<Eigen::Matrix<double, Rows, 1, Options>> = Rows != Eigen::Dynamic;
+constexpr bool isVector<Eigen::Matrix<double, Rows, 1, Options>> = true;
 
 template <class T>
 constexpr bool isList = false;
@@ -50,7 +50,7 @@ template <class T>
 void changeAt(T& value, const Leaf& leaf, const Change& change) {
   if constexpr (std::same_as<T, double>) {
     value = change(value);
-  } else if constexpr (isFixedVector<T>) {
+  } else if constexpr (isVector<T>) {
     for (Eigen::Index i = 0; i < value.size(); ++i) {
       if (leaf.component < 0 || leaf.component == i) value[i] = change(value[i]);
     }
@@ -92,7 +92,7 @@ void appendItems(std::vector<ArgumentItem>& items, const T& value, const Leaf& a
     items.push_back({at, Kind::Number, {value}});
   } else if constexpr (std::integral<T>) {
     items.push_back({at, Kind::Whole, {static_cast<double>(value)}});
-  } else if constexpr (isFixedVector<T>) {
+  } else if constexpr (isVector<T>) {
     items.push_back({at, Kind::Vector, {value.data(), value.data() + value.size()}});
   } else if constexpr (isList<T>) {
     items.push_back({at, Kind::List, {static_cast<double>(value.size())}});

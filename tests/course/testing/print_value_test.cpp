@@ -55,6 +55,14 @@ TEST(PrintValue, WritesListsStructsAndWords) {
   EXPECT_EQ(printValue(std::function<double(double)>()), "/* a function of the test */");
 }
 
+TEST(PrintValue, WritesAFunctionThatHasItsSource) {
+  const TestFunction<double(double)> twice("[](double x) { return 2 * x; }", [](double x) { return 2 * x; });
+  const std::function<double(double)> passed = twice;
+  EXPECT_EQ(printValue(passed), "[](double x) { return 2 * x; }");
+  EXPECT_EQ(passed(3), 6);
+  EXPECT_EQ(twice.calls(), 1) << "copies count together";
+}
+
 TEST(PrintValue, WritesSparseMatrices) {
   Eigen::SparseMatrix<double> m(2, 2);
   m.insert(1, 0) = 2.5;

@@ -100,6 +100,14 @@ TEST(Shrink, KeepsDirectionsOfLengthOne) {
             "f(Vec3(0.48, -0.6, 0.64)): you return -0.117965, it is -0.18432");
 }
 
+TEST(Shrink, ReachesTheNumbersOfAVectorOfAnyLength) {
+  CallHistory<double(const VecX&)> history;
+  const auto sum = [](const VecX& x) { return x.sum(); };
+  const auto sumOfSquares = [](const VecX& x) { return x.squaredNorm(); };
+  EXPECT_EQ(simplestOf<const VecX&>(history, sum, sumOfSquares, {VecX{{0.421, 3.17}}, VecX{{1.23, 7.77, 0.456}}}),
+            "f(VecX{{0, 2}}): you return 4, it is 2");
+}
+
 TEST(Shrink, TakesNoLengthForANumberOfAList) {
   CallHistory<double(const std::vector<double>&)> history;
   const auto sum = [](const std::vector<double>& m) { return std::accumulate(m.begin(), m.end(), 0.0); };

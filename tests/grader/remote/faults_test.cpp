@@ -123,6 +123,15 @@ TEST_F(Faults, MalformedCallbackIsTheStudents) {
       << session().fault();
 }
 
+TEST_F(Faults, AQuestionWithoutAnswerIsTheStudents) {
+  const auto call = [] {
+    submission::callTwice([](double) -> double { throw muelle::BadQuestion("asks for the root of a negative number"); },
+                          2);
+  };
+  EXPECT_THROW(call(), SubmissionFault);
+  EXPECT_EQ(session().fault(), "callTwice asks for the root of a negative number");
+}
+
 TEST_F(Faults, CallsThatAreSlowTogetherRunOutOfTheCriterionsTime) {
   SessionLimits limits;
   limits.call = milliseconds(5000);
