@@ -30,7 +30,7 @@ const VecX pupils = (VecX(5) << 31, 36, 42, 55, 78).finished();          // [kg]
 const VecX places = (VecX(5) << 1.2, 2.9, 1.7, 2.6, 1.6).finished();     // [m], where their bands lead them
 const VecX speeds = (VecX(5) << 2.0, -1.5, -2.2, 1.4, -0.6).finished();  // [m/s]
 constexpr double target = 2.0;                                           // [m]
-constexpr double band = 150.0;                                           // [N/m]
+constexpr double band = 300.0;                                           // [N/m]
 constexpr double stiffness = 9000.0;                                     // [N/m], of the mean height
 
 muelle::Trajectory jump() {
@@ -66,7 +66,7 @@ muelle::Figure heights() {
   const muelle::Trajectory run = jump();
   muelle::Figure figure("heights", "A class on bands, with a force on its mean height", "time [s]");
   auto each = figure.panel("height [m]");
-  each.expect(0.0, 4.0);
+  each.expect(0.0, 3.8);
   for (int i = 0; i < 5; ++i)
     each.line("pupil of " + std::to_string(static_cast<int>(pupils[i])) + " kg", run.t, run.position(3 * i + 2));
   figure.panel("height [m]")
@@ -151,7 +151,7 @@ std::vector<muelle::Figure> spreading() {
   muelle::Figure paths("spread_paths", "Paths of the four nodes and of their centre of mass", "x [m]");
   paths.equalAxes();
   auto panel = paths.panel("y [m]");
-  panel.expectX(-1.5, 4.0).expect(-1.5, 2.5);
+  panel.expectX(-1.2, 3.4).expect(-1.8, 1.7);
   for (int i = 0; i < 4; ++i) panel.line("node " + std::to_string(i), run.position(3 * i), run.position(3 * i + 1));
   panel.line("centre of mass", centre(run, crowd, 0), centre(run, crowd, 1));
   return {spread, paths};

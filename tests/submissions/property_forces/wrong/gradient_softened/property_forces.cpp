@@ -1,4 +1,4 @@
-// loses: TinySpread; misconception: softened_spread or softened_length
+// loses: TinySpread; misconception: softened_spread
 #include "property_forces.h"
 
 namespace {

@@ -1,4 +1,4 @@
-// loses: MeanHeightEnergy, MinusTheGradient; misconception: not_squared or missing_square
+// loses: MeanHeightEnergy, MinusTheGradient; misconception: not_squared
 #include "property_forces.h"
 
 namespace {

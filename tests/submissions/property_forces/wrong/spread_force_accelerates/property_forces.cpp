@@ -1,4 +1,4 @@
-// loses: SpreadForce, MinusTheGradient, NoNetForce; misconception: acceleration_for_force or force_for_acceleration
+// loses: SpreadForce, MinusTheGradient, NoNetForce; misconception: mass_of_node_left_out
 #include "property_forces.h"
 
 namespace {
