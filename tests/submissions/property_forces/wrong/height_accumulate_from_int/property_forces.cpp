@@ -1,0 +1,60 @@
+// loses: MeanHeight; misconception: whole_numbers or integer_division
+#include "property_forces.h"
+
+#include <numeric>
+
+namespace {
+
+int nodeCount(const VecX& x) { return static_cast<int>(x.size()) / 3; }
+
+Vec3 centre(const VecX& x, const VecX& m) {
+  Vec3 c = Vec3::Zero();
+  for (int i = 0; i < nodeCount(x); ++i) c += m[i] * x.segment<3>(3 * i);
+  return c / m.sum();
+}
+
+}  // namespace
+
+double meanHeight(const VecX& x) {
+  std::vector<double> z;
+  for (int i = 0; i < nodeCount(x); ++i) z.push_back(x[3 * i + 2]);
+  return std::accumulate(z.begin(), z.end(), 0) / static_cast<double>(z.size());
+}
+
+double meanHeightEnergy(const VecX& x, double h0, double k) {
+  const double d = meanHeight(x) - h0;
+  return 0.5 * k * d * d;
+}
+
+VecX meanHeightForce(const VecX& x, double h0, double k) {
+  const int n = nodeCount(x);
+  const double f = -k * (meanHeight(x) - h0) / n;
+  VecX F = VecX::Zero(x.size());
+  for (int i = 0; i < n; ++i) F[3 * i + 2] = f;
+  return F;
+}
+
+double spread(const VecX& x, const VecX& m) {
+  const Vec3 c = centre(x, m);
+  double sum = 0;
+  for (int i = 0; i < nodeCount(x); ++i) sum += m[i] * (x.segment<3>(3 * i) - c).squaredNorm();
+  return std::sqrt(sum / m.sum());
+}
+
+VecX spreadGradient(const VecX& x, const VecX& m) {
+  VecX g = VecX::Zero(x.size());
+  const double R = spread(x, m);
+  if (R == 0) return g;
+  const Vec3 c = centre(x, m);
+  for (int i = 0; i < nodeCount(x); ++i) g.segment<3>(3 * i) = m[i] / (m.sum() * R) * (x.segment<3>(3 * i) - c);
+  return g;
+}
+
+double spreadEnergy(const VecX& x, const VecX& m, double R0, double k) {
+  const double d = spread(x, m) - R0;
+  return 0.5 * k * d * d;
+}
+
+VecX spreadForce(const VecX& x, const VecX& m, double R0, double k) {
+  return -k * (spread(x, m) - R0) * spreadGradient(x, m);
+}
