@@ -27,6 +27,7 @@ function(muelle_role_library target topic role)
   target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR}/exercises/${topic})
   target_compile_definitions(${target} PRIVATE MUELLE_FUNCTIONS_HEADER="${role}" ${MUELLE_FILL_DEFINE})
   target_compile_options(${target} PRIVATE ${MUELLE_LIGHT})
+  muelle_define_paths(${target} MUELLE_EXERCISE_FOLDER ${CMAKE_SOURCE_DIR}/exercises/${topic})
 endfunction()
 
 # For `muelle check`: the public tests and the demo, to be linked with the student's object file. A file lists
@@ -74,6 +75,14 @@ function(muelle_reference topic)
   add_dependencies(muelle_grading reference_${topic})
 endfunction()
 
+# Hidden tests may ask the engine; only those that do wait for it to be built.
+function(muelle_link_engine_if_asked target source)
+  file(STRINGS ${source} includes REGEX "^#include \"engine/")
+  if(includes)
+    target_link_libraries(${target} PRIVATE muelle_engine)
+  endif()
+endfunction()
+
 # For the grader: the worker's trusted half, and the hidden tests with the demo compiled for the submission (through
 # the worker) and for the oracle.
 function(muelle_grading_parts topic)
@@ -95,8 +104,10 @@ function(muelle_grading_parts topic)
   add_executable(hidden_${topic} ${hidden}/${topic}_test.cpp ${hidden}/oracle.cpp ${hidden}/mistakes.cpp
                                  ${folder}/demo.cpp)
   target_link_libraries(hidden_${topic} PRIVATE reference_demo_${topic} muelle_hidden_main)
+  muelle_link_engine_if_asked(hidden_${topic} ${hidden}/${topic}_test.cpp)
   target_include_directories(hidden_${topic} PRIVATE ${folder})
   target_compile_options(hidden_${topic} PRIVATE ${MUELLE_LIGHT})
+  muelle_define_paths(hidden_${topic} MUELLE_EXERCISE_FOLDER ${folder})
   target_compile_definitions(hidden_${topic} PRIVATE
                              MUELLE_FUNCTIONS_HEADER="grader/remote/remote_functions.h")
   # Calls to the worker are templates of some size: compiled once, beside the history of calls that mistakes read.
