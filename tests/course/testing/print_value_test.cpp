@@ -55,6 +55,13 @@ TEST(PrintValue, WritesListsStructsAndWords) {
   EXPECT_EQ(printValue(std::function<double(double)>()), "/* a function of the test */");
 }
 
+TEST(PrintValue, ShowsTheBeginningOfLongLists) {
+  std::vector<int> list(300, 7);
+  EXPECT_EQ(printValue(list).size(), 900U);  // "{7, 7, ... 7}"
+  list.push_back(8);
+  EXPECT_EQ(printValue(list), "{7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, /* and 289 more */}");
+}
+
 TEST(PrintValue, WritesSparseMatrices) {
   Eigen::SparseMatrix<double> m(2, 2);
   m.insert(1, 0) = 2.5;
