@@ -30,6 +30,7 @@ function(muelle_role_library target topic role)
   target_include_directories(${target} PRIVATE ${MUELLE_COURSE}/exercises/${topic})
   target_compile_definitions(${target} PRIVATE MUELLE_FUNCTIONS_HEADER="${role}" ${MUELLE_FILL_DEFINE})
   target_compile_options(${target} PRIVATE ${MUELLE_LIGHT})
+  muelle_define_paths(${target} MUELLE_EXERCISE_FOLDER ${MUELLE_COURSE}/exercises/${topic})
 endfunction()
 
 # For `muelle check`: the public tests and the demo, to be linked with the student's object file. A file lists

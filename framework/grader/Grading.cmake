@@ -60,6 +60,7 @@ function(muelle_grading_parts topic)
   muelle_link_engine_if_asked(hidden_${topic} ${hidden}/${topic}_test.cpp)
   target_include_directories(hidden_${topic} PRIVATE ${folder})
   target_compile_options(hidden_${topic} PRIVATE ${MUELLE_LIGHT})
+  muelle_define_paths(hidden_${topic} MUELLE_EXERCISE_FOLDER ${folder})
   target_compile_definitions(hidden_${topic} PRIVATE
                              MUELLE_FUNCTIONS_HEADER="grader/remote/remote_functions.h")
   # Calls to the worker are templates of some size: compiled once, beside the history of calls that mistakes read.

@@ -39,10 +39,15 @@ std::string printValue(const Eigen::SparseMatrixBase<Derived>& m);
 
 namespace detail {
 
+/// Of longer lists the first members are shown: nobody reads a mesh of 4000 triangles, or types it.
+inline constexpr std::size_t longestList = 300, membersShown = 12;
+
 template <class Range>
 std::string printList(const Range& values) {
+  const std::size_t shown = values.size() > longestList ? membersShown : values.size();
   std::string text = "{";
-  for (const auto& value : values) text += (text.size() > 1 ? ", " : "") + printValue(value);
+  for (std::size_t i = 0; i < shown; ++i) text += (i > 0 ? ", " : "") + printValue(values[i]);
+  if (shown < values.size()) text += ", /* and " + std::to_string(values.size() - shown) + " more */";
   return text + "}";
 }
 

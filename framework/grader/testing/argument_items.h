@@ -67,11 +67,21 @@ void changeAt(T& value, const Leaf& leaf, const Change& change) {
 template <class T>
 void appendItems(std::vector<ArgumentItem>& items, const T& value, const Leaf& at);
 
+/// A member of a list, with numbers that may be read.
+template <class T>
+T memberOfZeros() {
+  if constexpr (isFixedVector<T>) {
+    return T::Zero();
+  } else {
+    return T{};
+  }
+}
+
 /// Of a list each field by itself, over all its members.
 template <class T>
 void appendFields(std::vector<ArgumentItem>& items, const std::vector<T>& list, const Leaf& at) {
   std::vector<ArgumentItem> ofOne;
-  appendItems(ofOne, T{}, at);
+  appendItems(ofOne, memberOfZeros<T>(), at);
   for (const ArgumentItem& each : ofOne) {
     ArgumentItem field{each.leaf, ArgumentItem::Kind::Field, {}};
     for (T member : list) {

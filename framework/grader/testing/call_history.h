@@ -5,8 +5,10 @@
 #include "grader/wire/signature.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -23,6 +25,9 @@ void appendOutParameter(std::vector<double>& numbers, const T& argument) {
 /// The calls of one function in this process, and what the oracle says to each, and to each with its arguments changed:
 /// what the usual mistakes are recognised by. Calls are numbered from 0; all numbers are the result's, then those of
 /// the out-parameters.
+///
+/// Not every change leaves a question of the contract: a spring may be left without one of its nodes. An oracle that
+/// throws a std::logic_error there (std::vector::at does) says so; the submission is not asked, and no mistake agrees.
 class CallHistoryBase {
  public:
   using Numbers = std::vector<double>;
@@ -52,6 +57,7 @@ class CallHistoryBase {
   /// Asks the submission what it answers to a call with its arguments edited, and takes that as one more call, the
   /// last, also where the tests have made mostCalls; none is added when the answers are too long. Throws
   /// SubmissionFault.
+  /// Nothing is asked where the oracle throws.
   virtual void ask(std::size_t call, const Edit& edit) = 0;
   /// Forgets all calls but the first so many.
   virtual void keepOnly(std::size_t calls) = 0;
@@ -124,7 +130,7 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
 
   Numbers oracle(std::size_t call) const override { return evaluate(oracle_, *calls_[call].given); }
   Numbers listed(std::size_t mistake, std::size_t call) const override {
-    return evaluate(mistakes_[mistake].second, *calls_[call].given);
+    return predicted(mistakes_[mistake].second, *calls_[call].given);
   }
 
   Numbers oracleWith(std::size_t call, const Leaf& leaf, const Change& change) const override {
@@ -145,12 +151,12 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
   Numbers oracleSwapped(std::size_t call, int i, int j) const override {
     Tuple arguments = *calls_[call].given;
     withBoth(arguments, i, j, [](auto& first, auto& second) { std::swap(first, second); });
-    return evaluate(oracle_, std::move(arguments));
+    return predicted(oracle_, std::move(arguments));
   }
   Numbers oracleWithTwice(std::size_t call, int i, int j) const override {
     Tuple arguments = *calls_[call].given;
     withBoth(arguments, i, j, [](auto& first, auto& second) { second = first; });
-    return evaluate(oracle_, std::move(arguments));
+    return predicted(oracle_, std::move(arguments));
   }
 
   void ask(std::size_t call, const Edit& edit) override {
@@ -160,8 +166,9 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
       if (edit.change) return changeAt(argument, edit.leaf, edit.change);
       keepPart(argument, edit.part);
     });
+    if (!own_ || (oracle_ && !answers(oracle_, arguments))) return;
     room_ = std::max(mostCalls, calls_.size() + 1);  // a motion may have taken all
-    if (own_) evaluate(own_, std::move(arguments));
+    evaluate(own_, std::move(arguments));
   }
   void keepOnly(std::size_t calls) override {
     for (; calls_.size() > calls; calls_.pop_back()) numbers_ -= calls_.back().outcome.size();
@@ -204,7 +211,25 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
   Numbers changed(std::size_t call, const Visitor& visit) const {
     Tuple arguments = *calls_[call].given;
     forEachArgument(arguments, visit);
-    return evaluate(oracle_, std::move(arguments));
+    return predicted(oracle_, std::move(arguments));
+  }
+
+  /// What no answer agrees with, where the function throws.
+  static Numbers predicted(const Function& function, Tuple arguments) {
+    try {
+      return evaluate(function, std::move(arguments));
+    } catch (const std::logic_error&) {
+      return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()};
+    }
+  }
+
+  static bool answers(const Function& function, const Tuple& arguments) {
+    try {
+      evaluate(function, arguments);
+      return true;
+    } catch (const std::logic_error&) {
+      return false;
+    }
   }
 
   std::vector<Call> calls_;

@@ -10,7 +10,7 @@ namespace muelle::lab {
 ImplicitBody rabbitBody();
 constexpr double rabbitHeight = 0.19;
 
-/// Its surface, closed, 1,500 to 2,500 vertices: framework/harness/meshes/rabbit.off is this, and a test keeps it so.
+/// Its surface, closed, 1,500 to 2,500 vertices: exercises/mesh_to_springs/rabbit.off is this, and a test keeps it so.
 engine::SurfaceMesh rabbitMesh();
 
 /// A surface as the text of an OFF file, coordinates rounded to 1e-5 m. `title` is its comment.

@@ -10,7 +10,7 @@
 int main(int argc, char** argv) {
   return muelle::withErrorsOnOneLine([=] {
     if (argc != 2)
-      throw std::invalid_argument("name the file to write, for example framework/harness/meshes/rabbit.off");
+      throw std::invalid_argument("name the file to write, for example exercises/mesh_to_springs/rabbit.off");
     muelle::writeFile(argv[1],
                       muelle::lab::offText(muelle::lab::rabbitMesh(), "A rabbit of ellipsoids, made by muelle-rabbit"));
     return 0;

@@ -63,6 +63,13 @@ TEST(PrintValue, WritesAFunctionThatHasItsSource) {
   EXPECT_EQ(twice.calls(), 1) << "copies count together";
 }
 
+TEST(PrintValue, ShowsTheBeginningOfLongLists) {
+  std::vector<int> list(300, 7);
+  EXPECT_EQ(printValue(list).size(), 900U);  // "{7, 7, ... 7}"
+  list.push_back(8);
+  EXPECT_EQ(printValue(list), "{7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, /* and 289 more */}");
+}
+
 TEST(PrintValue, WritesSparseMatrices) {
   Eigen::SparseMatrix<double> m(2, 2);
   m.insert(1, 0) = 2.5;

@@ -56,6 +56,33 @@ TEST(Shrink, AsksNothingOfAConstantButToBeWrong) {
   EXPECT_EQ(found, "force(0, 1, 1): you return 0, it is 1");
 }
 
+/// Sum of the numbers at some places; throws where there is no such place.
+double sumAt(const std::vector<double>& numbers, const std::vector<int>& places) {
+  double sum = 0;
+  for (const int i : places) sum += numbers.at(static_cast<std::size_t>(i));
+  return sum;
+}
+
+TEST(Shrink, AsksNothingThatTheOracleRefuses) {
+  // A list of places and the list that they are in: either alone may not lose its members.
+  using SumHistory = CallHistory<double(const std::vector<double>&, const std::vector<int>&)>;
+  SumHistory history;
+  history.setOracle(sumAt);
+  history.addMistake("needs_three", [](const std::vector<double>& n, const std::vector<int>&) { return n.at(2); });
+  const auto own = [&history](const std::vector<double>& numbers, const std::vector<int>& places) {
+    const double answer = 2 * sumAt(numbers, places);  // what a submission does with other places is its end
+    history.add(std::make_shared<const SumHistory::Tuple>(numbers, places), {answer});
+    return answer;
+  };
+  history.setOwn(own);
+  own({1.7, 2.9}, {1, 0, 1});
+  own({1.3, 2.1, 4.7}, {2, 1});
+  const auto example = simplestCounterExample("sumAt", history,
+                                              "double sumAt(const std::vector<double>& n, const std::vector<int>& p);");
+  ASSERT_TRUE(example);
+  EXPECT_EQ(exampleSentence(*example), "sumAt({1, 1}, {1}): you return 2, it is 1");
+}
+
 TEST(Shrink, MovesPlacesThatAreNearEachOther) {
   CallHistory<double(const Vec3&, const Vec3&)> history;
   const auto distance = [](const Vec3& a, const Vec3& b) { return 1e9 * (a - b).norm(); };

@@ -15,7 +15,7 @@ SurfaceMesh committedRabbit() { return engine::readMeshFile(MUELLE_MESHES "/rabb
 TEST(Rabbit, IsWhatItsProgramMakes) {
   const SurfaceMesh there = committedRabbit();
   const SurfaceMesh made = rabbitMesh();
-  const char* again = "write it again: build/bin/muelle-rabbit framework/harness/meshes/rabbit.off";
+  const char* again = "write it again: build/bin/muelle-rabbit exercises/mesh_to_springs/rabbit.off";
   EXPECT_EQ(there.triangles, made.triangles) << again;
   ASSERT_EQ(there.vertices.size(), made.vertices.size()) << again;
   // The file's coordinates are rounded to 1e-5 m, on either side of a half by the machine's round-off.

@@ -1,0 +1,78 @@
+#include "mesh_to_springs.h"
+
+std::vector<Edge> meshEdges(const std::vector<Triangle>& triangles) {
+  std::vector<Edge> edges;
+  const auto add = [&edges](int i, int j) {
+    if (i > j) std::swap(i, j);
+    const auto place = std::lower_bound(edges.begin(), edges.end(), Edge{i, j});
+    if (place == edges.end() || *place != Edge{i, j}) edges.insert(place, {i, j});
+  };
+  for (const Triangle& t : triangles) {
+    add(t[0], t[1]);
+    add(t[0], t[2]);
+    add(t[1], t[2]);
+  }
+  return edges;
+}
+
+std::vector<Edge> structuralSprings(int rows, int columns) {
+  std::vector<Edge> springs;
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < columns; ++j) {
+      const int node = i * columns + j;
+      if (j + 1 < columns) springs.push_back({node, node + 1});
+      if (i + 1 < rows) springs.push_back({node, node + columns});
+    }
+  }
+  return springs;
+}
+
+std::vector<Edge> shearSprings(int rows, int columns) {
+  std::vector<Edge> springs;
+  for (int i = 0; i + 1 < rows; ++i) {
+    for (int j = 0; j + 1 < columns; ++j) {
+      const int node = i * columns + j;
+      springs.push_back({node, node + columns + 1});
+      springs.push_back({node + 1, node + columns});
+    }
+  }
+  std::sort(springs.begin(), springs.end());
+  return springs;
+}
+
+std::vector<Edge> bendingSprings(int rows, int columns) {
+  std::vector<Edge> springs;
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < columns; ++j) {
+      const int node = i * columns + j;
+      if (j + 2 < columns) springs.push_back({node, node + 2});
+      if (i + 2 < rows) springs.push_back({node, node + 2 * columns});
+    }
+  }
+  return springs;
+}
+
+std::vector<double> restLengths(const std::vector<Vec3>& nodes, const std::vector<Edge>& edges) {
+  std::vector<double> lengths;
+  for (const Edge& edge : edges) lengths.push_back((nodes[edge[0]] - nodes[edge[1]]).norm());
+  return lengths;
+}
+
+std::vector<double> equalMasses(double M, int n) {
+  std::vector<double> masses;
+  const double m = M / n;
+  while (static_cast<int>(masses.size()) < n) masses.push_back(m);
+  return masses;
+}
+
+std::vector<double> massesByArea(const std::vector<Vec3>& nodes, const std::vector<Triangle>& triangles,
+                                 double density) {
+  std::vector<double> masses(nodes.size(), 0.0);
+  for (const Triangle& t : triangles) {
+    const Vec3 u = nodes[t[1]] - nodes[t[0]];
+    const Vec3 v = nodes[t[2]] - nodes[t[0]];
+    const double third = density * 0.5 * u.cross(v).norm() / 3;
+    for (int i : t) masses[i] += third;
+  }
+  return masses;
+}

@@ -1,0 +1,39 @@
+// loses: GetForce, Questions; misconception: none
+// Computes the force itself and does not ask the law.
+#include "nodes_and_springs.h"
+
+void Node::calcAcceleration() {
+  a = F / mass;
+}
+
+Vec3 Spring::getForce(const Node& node) const {
+  const Vec3 r = na->x - nb->x;
+  const double L = r.norm();
+  if (L == 0) return Vec3::Zero();
+  const Vec3 force = -stiffness * (L - length) / L * r;
+  return &node == na ? force : Vec3(-force);
+}
+
+void Spring::calcForce() {
+  F = (*law)(na->x, nb->x, stiffness, length);
+}
+
+void Body::gather() {
+  for (Node& node : nodes) {
+    node.F = Vec3::Zero();
+    for (Spring* spring : node.springs) {
+      node.F += spring->getForce(node);
+    }
+    node.calcAcceleration();
+  }
+}
+
+void Body::scatter() {
+  for (Node& node : nodes) node.F = Vec3::Zero();
+  for (Spring& spring : springs) {
+    spring.calcForce();
+    spring.na->F += spring.F;
+    spring.nb->F -= spring.F;
+  }
+  for (Node& node : nodes) node.calcAcceleration();
+}
