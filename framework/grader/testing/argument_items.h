@@ -70,11 +70,9 @@ void appendItems(std::vector<ArgumentItem>& items, const T& value, const Leaf& a
 /// A member of a list, with numbers that may be read.
 template <class T>
 T memberOfZeros() {
-  if constexpr (isFixedVector<T>) {
-    return T::Zero();
-  } else {
-    return T{};
-  }
+  T member{};
+  if constexpr (isVector<T>) member.setZero();
+  return member;
 }
 
 /// Of a list each field by itself, over all its members.
