@@ -75,7 +75,7 @@ std::vector<Parameter> parametersOf(std::string_view contract, std::string_view 
     if (tokens[i] != function || tokens[i + 1] != "(") continue;
     for (const Tokens& each : argumentsAt(tokens, i + 1)) {
       Parameter parameter;
-      for (const std::string_view token : each) {
+      for (const std::string_view& token : each) {
         if (const auto known = structs.find(token); known != structs.end()) parameter.fields = known->second;
         if (&token != &each.back()) parameter.type += std::string(token) + ' ';
       }
