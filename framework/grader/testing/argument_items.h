@@ -20,7 +20,8 @@ struct ArgumentItem {
   enum class Kind {
     Number,  ///< one number
     Whole,   ///< one whole number
-    Vector,  ///< a vector
+    Vector,  ///< a vector of fixed length: a place, a direction, nodes stacked
+    Stack,   ///< a vector of run-time length: numbers, of which no length or distance is asked
     List,    ///< a list: its length alone; its numbers follow as items of their own
     Field    ///< the numbers of one field of a list's structs, or of a list of numbers
   };
@@ -39,6 +40,11 @@ template <class T>
 constexpr bool isVector = false;
 template <int Rows, int Options>
 constexpr bool isVector<Eigen::Matrix<double, Rows, 1, Options>> = true;
+
+template <class T>
+constexpr bool isOfFixedLength = isVector<T>;
+template <int Options>
+constexpr bool isOfFixedLength<Eigen::Matrix<double, Eigen::Dynamic, 1, Options>> = false;
 
 template <class T>
 constexpr bool isList = false;
@@ -101,7 +107,8 @@ void appendItems(std::vector<ArgumentItem>& items, const T& value, const Leaf& a
   } else if constexpr (std::integral<T>) {
     items.push_back({at, Kind::Whole, {static_cast<double>(value)}});
   } else if constexpr (isVector<T>) {
-    items.push_back({at, Kind::Vector, {value.data(), value.data() + value.size()}});
+    const Kind kind = isOfFixedLength<T> ? Kind::Vector : Kind::Stack;
+    items.push_back({at, kind, {value.data(), value.data() + value.size()}});
   } else if constexpr (isList<T>) {
     items.push_back({at, Kind::List, {static_cast<double>(value.size())}});
     appendFields(items, value, at);

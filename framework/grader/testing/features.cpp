@@ -46,6 +46,8 @@ class Features {
         return add("value", {item.leaf}, item.numbers.front());
       case Kind::Vector:
         return takeVector(item);
+      case Kind::Stack:
+        return;
       case Kind::List:
         return add("count", {item.leaf}, item.numbers.front());
       case Kind::Field:

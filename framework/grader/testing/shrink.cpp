@@ -110,6 +110,7 @@ class Shrinker {
     for (const ArgumentItem& item : items) {
       if (item.kind == Kind::Number || item.kind == Kind::Field) shrinkNumber(item.leaf);
       if (item.kind == Kind::Vector) shrinkVector(item);
+      if (item.kind == Kind::Stack) shrinkComponents(item);
     }
   }
 
@@ -191,6 +192,10 @@ class Shrinker {
     if (isAlwaysUnit(item.leaf)) return shrinkDirection(item.leaf);
     const bool isPoint = item.numbers.size() <= mostComponents;
     if (isPoint && attempt({item.leaf, [](double) { return 0.0; }})) return;
+    shrinkComponents(item);
+  }
+
+  void shrinkComponents(const ArgumentItem& item) {
     for (std::size_t i = 0; i < item.numbers.size(); ++i) {
       shrinkNumber({item.leaf.argument, item.leaf.field, static_cast<int>(i)});
     }

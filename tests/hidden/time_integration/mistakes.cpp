@@ -69,6 +69,9 @@ Method with(Method method, const std::function<void(Method&)>& change) {
   MUELLE_MISTAKE(function, mass_multiplied, [](const ForceType& force, const VecX& m, const State& now, double h) {    \
     return oracle::function(force, m.cwiseInverse(), now, h);                                                          \
   });                                                                                                                  \
+  MUELLE_MISTAKE(function, against_the_force, [](const ForceType& force, const VecX& m, const State& now, double h) {  \
+    return oracle::function(force, -m, now, h);                                                                        \
+  });                                                                                                                  \
   MUELLE_MISTAKE(function, first_mass_for_all, [](const ForceType& force, const VecX& m, const State& now, double h) { \
     return oracle::function(force, VecX::Constant(m.size(), m[0]), now, h);                                            \
   });                                                                                                                  \
@@ -189,9 +192,15 @@ struct VerletMethod {
 
 State verlet(const VerletMethod& method, const PositionForce& force, const VecX& m, const State& now, double h) {
   const VecX a0 = force(now.t, now.x).cwiseQuotient(m);
-  const VecX x = now.x + h * now.v + h * h * method.parabola * a0;
+  VecX x = now.x + h * now.v, v = now.v;
+  const auto add = [h](VecX& to, double weight, const VecX& a) {  // 0 times what has exploded is no number
+    if (weight != 0) to += h * weight * a;
+  };
+  add(x, h * method.parabola, a0);
+  add(v, method.first, a0);
   const VecX a1 = force(now.t + method.time * h, method.asksOld ? now.x : x).cwiseQuotient(m);
-  return {now.t + h, x, now.v + h * (method.first * a0 + method.second * a1)};
+  add(v, method.second, a1);
+  return {now.t + h, x, v};
 }
 
 }  // namespace

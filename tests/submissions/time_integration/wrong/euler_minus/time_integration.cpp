@@ -1,4 +1,4 @@
-// loses: ExplicitEuler, Order, Stability, Energies; misconception: none
+// loses: ExplicitEuler, Order, Stability, Energies; misconception: against_the_force
 // F = -m a
 #include "time_integration.h"
 
