@@ -138,7 +138,7 @@ muelle::Trajectory fly(const Program& program) {
   return march(system, start, options);
 }
 
-Numbers meanHeight(const muelle::Trajectory& run) {
+Numbers averageHeight(const muelle::Trajectory& run) {
   Numbers heights;
   for (const Numbers& x : run.x) heights.push_back((x[2] + x[5] + x[8] + x[11]) / 4);
   return heights;
@@ -152,8 +152,8 @@ muelle::Figure flight() {
       .line("scatter", scattered.t, scattered.position(5))
       .expect(-0.5, 1.5);
   figure.panel("mean height [m]")
-      .line("gather", gathered.t, meanHeight(gathered))
-      .line("scatter", scattered.t, meanHeight(scattered))
+      .line("gather", gathered.t, averageHeight(gathered))
+      .line("scatter", scattered.t, averageHeight(scattered))
       .expect(-0.5, 1.5);
   return figure;
 }
