@@ -5,8 +5,11 @@
 #include "time_integration.h"
 
 #include "course/testing/random.h"
+#include "course/testing/test_function.h"
 #include "grader/testing/arguments.h"
 #include "grader/testing/mistakes.h"
+
+#include <fmt/format.h>
 
 namespace {
 
@@ -225,18 +228,33 @@ VERLET_MISTAKE(symplectic_euler, .parabola = 1, .first = 1, .second = 0);
 
 namespace {
 
+using muelle::BadQuestion;
 using muelle::Random;
+using muelle::TestFunction;
 
-/// Forces and states of two coordinates.
+/// Forces on two coordinates, of two digits each, so that they can be read.
+double someDigits(Random& random, double low, double high) { return std::round(10 * random.number(low, high)) / 10; }
+
 Force someForce(Random& random) {
-  const double a = random.rounded(1.1, 1.9), k = random.rounded(0.6, 1.4), d = random.rounded(0.3, 0.8);
-  return
-      [=](double t, const VecX& x, const VecX& v) { return VecX(a * std::cos(3 * t) - k * x.array() - d * v.array()); };
+  const double a = someDigits(random, 1.1, 1.9), k = someDigits(random, 0.6, 1.4), d = someDigits(random, 0.3, 0.8);
+  const std::string source = fmt::format(
+      "[](double t, const VecX& x, const VecX& v) {{ return VecX({} * std::cos(3 * t) - {} * x.array() - "
+      "{} * v.array()); }}",
+      a, k, d);
+  return TestFunction<VecX(double, const VecX&, const VecX&)>(source, [=](double t, const VecX& x, const VecX& v) {
+    if (x.size() != 2 || v.size() != 2) throw BadQuestion("asks for the force on other than two coordinates");
+    return VecX(a * std::cos(3 * t) - k * x.array() - d * v.array());
+  });
 }
 
 PositionForce somePositionForce(Random& random) {
-  const double a = random.rounded(1.1, 1.9), k = random.rounded(0.6, 1.4);
-  return [=](double t, const VecX& x) { return VecX(a * std::cos(3 * t) - k * x.array()); };
+  const double a = someDigits(random, 1.1, 1.9), k = someDigits(random, 0.6, 1.4);
+  const std::string source =
+      fmt::format("[](double t, const VecX& x) {{ return VecX({} * std::cos(3 * t) - {} * x.array()); }}", a, k);
+  return TestFunction<VecX(double, const VecX&)>(source, [=](double t, const VecX& x) {
+    if (x.size() != 2) throw BadQuestion("asks for the force on other than two coordinates");
+    return VecX(a * std::cos(3 * t) - k * x.array());
+  });
 }
 
 VecX someMasses(Random& random) { return VecX{{random.rounded(0.6, 0.9), random.rounded(1.2, 1.8)}}; }
