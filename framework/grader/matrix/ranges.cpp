@@ -29,6 +29,13 @@ bool isNamed(const Leaf& leaf, const std::vector<Parameter>& parameters, const s
   return field < parameter.fields.size() && parameter.fields[field] == name;
 }
 
+/// Whether a feature is about what a range is about: the range of a list is that of its length, whatever numbers it
+/// holds.
+bool isMeant(const Feature& feature, const std::map<Feature, FeatureRange>& features) {
+  if (feature.kind == "value" || feature.kind == "count") return true;
+  return (feature.kind == "least" || feature.kind == "most") && !features.contains({"count", feature.of});
+}
+
 /// Ends in the same way: 1e-3 is passed by the number 1e-3, whatever round-off has made of it.
 bool reachesDown(double passed, double end) { return passed <= end + 1e-9 * std::abs(end); }
 bool reachesUp(double passed, double end) { return passed >= end - 1e-9 * std::abs(end); }
@@ -53,9 +60,7 @@ std::vector<std::string> endsNotPassed(std::string_view contract, const Evidence
     for (const auto& [function, calls] : evidence) {
       const std::vector<Parameter> parameters = parametersOf(contract, function);
       for (const auto& [feature, passed] : calls.features) {
-        const bool isNumber =
-            feature.kind == "value" || feature.kind == "count" || feature.kind == "least" || feature.kind == "most";
-        if (!isNumber || !isNamed(feature.of.front(), parameters, range.name)) continue;
+        if (!isMeant(feature, calls.features) || !isNamed(feature.of.front(), parameters, range.name)) continue;
         addEnds(lines, function, wordsOf(feature.of.front(), parameters), feature, passedOf(passed), range);
       }
     }

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace muelle::grader {
 namespace {
 
@@ -22,6 +24,18 @@ TEST(Ranges, AreToBePassedAtBothEnds) {
   add(history, 1e-3, 0.0);
   add(history, 1e9, 10.0);
   EXPECT_TRUE(lines().empty());
+}
+
+TEST(Ranges, OfAListIsThatOfItsLength) {
+  CallHistory<double(const std::vector<double>&)> history;
+  history.setOracle([](const std::vector<double>& m) { return m.empty() ? 0.0 : m.front(); });
+  const auto pass = [&history](std::vector<double> m) {
+    history.add(std::make_shared<const std::tuple<std::vector<double>>>(m), {m.empty() ? 0.0 : m.front()});
+  };
+  pass({});
+  pass({0.5, 0.25, 0.75});
+  const char* contract = "double first(const std::vector<double>& m);\nMUELLE_RANGE(m, 0, 3)\n";
+  EXPECT_TRUE(endsNotPassed(contract, {{"first", gatherEvidence(history)}}).empty());
 }
 
 }  // namespace

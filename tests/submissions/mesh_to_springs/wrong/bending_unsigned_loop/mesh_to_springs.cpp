@@ -1,4 +1,4 @@
-// loses: GridSprings, SortedEdges; misconception: none
+// loses: GridSprings; misconception: none
 // columns - 2 of an unsigned number is large in a narrow grid.
 #include "mesh_to_springs.h"
 

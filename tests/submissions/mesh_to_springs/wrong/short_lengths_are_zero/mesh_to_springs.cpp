@@ -1,4 +1,4 @@
-// loses: RestLengths; misconception: threshold or one_sided or range
+// loses: RestLengths; misconception: none
 #include "mesh_to_springs.h"
 
 std::vector<Edge> meshEdges(const std::vector<Triangle>& triangles) {
