@@ -25,8 +25,8 @@ using Edge = std::array<int, 2>;
 MUELLE_RANGE(triangles, 0, 5000)  // so many
 MUELLE_RANGE(nodes, 0, 2500)      // so many
 MUELLE_RANGE(edges, 0, 7500)      // so many
-MUELLE_RANGE(rows, 1, 40)
-MUELLE_RANGE(columns, 1, 40)
+MUELLE_RANGE(rows, 1, 40)         // nodes in a column (a count, dimensionless)
+MUELLE_RANGE(columns, 1, 40)      // nodes in a row (a count, dimensionless)
 MUELLE_RANGE(M, 1e-6, 1e6)        // kg
 MUELLE_RANGE(n, 1, 2500)          // nodes
 MUELLE_RANGE(density, 1e-6, 1e6)  // kg/m^2
@@ -34,8 +34,8 @@ MUELLE_RANGE(density, 1e-6, 1e6)  // kg/m^2
 // Every list of edges below has one order, the one of std::sort: by the first node, and where that is the same by the
 // second. So there is one right answer, and the edge number s is the same for everybody.
 
-/// The edges of a triangle mesh, each once, however many triangles have it: one at the border, two inside, or more.
-/// No triangles, no edges.
+/// The edges (pairs of indices, dimensionless) of a triangle mesh, each once, however many triangles have it: one at
+/// the border, two inside, or more. No triangles, no edges.
 ///
 /// \param triangles in any order; neighbours need not go the same way round
 std::vector<Edge> meshEdges(const std::vector<Triangle>& triangles);
@@ -43,13 +43,15 @@ std::vector<Edge> meshEdges(const std::vector<Triangle>& triangles);
 // A grid of rows times columns nodes is numbered row by row: row i, column j has the number i * columns + j, both
 // counted from 0. A grid that is too small for a kind of spring has none of it.
 
-/// Structural springs of a grid: between neighbours in a row and between neighbours in a column.
+/// Structural springs of a grid, as edges (dimensionless): between neighbours in a row and between neighbours in a
+/// column. \param rows, columns  how many nodes (dimensionless)
 std::vector<Edge> structuralSprings(int rows, int columns);
 
-/// Shear springs of a grid: both diagonals of each cell.
+/// Shear springs of a grid, as edges (dimensionless): both diagonals of each cell.
 std::vector<Edge> shearSprings(int rows, int columns);
 
-/// Bending springs of a grid: between each node and the next but one in its row and in its column.
+/// Bending springs of a grid, as edges (dimensionless): between each node and the next but one in its row and in its
+/// column.
 std::vector<Edge> bendingSprings(int rows, int columns);
 
 /// Rest lengths [m] of springs that are at rest where the nodes are: entry s is the length of edges[s].

@@ -34,7 +34,7 @@ struct Node {
   Vec3 F = Vec3::Zero();         ///< force [N]: the sum over the springs that end here
   std::vector<Spring*> springs;  ///< those that end here
 
-  /// Writes a: that of the force F, by Newton's second law.
+  /// Writes the acceleration a [m/s^2]: that of the force F [N], by Newton's second law.
   void calcAcceleration();
 };
 
@@ -42,7 +42,7 @@ struct Node {
 struct Spring {
   double stiffness = 1.0;         ///< k [N/m]
   double length = 1.0;            ///< at rest, L0 [m]
-  Vec3 F = Vec3::Zero();          ///< force [N] on *na, as calcForce() has left it
+  Vec3 F = Vec3::Zero();          ///< force [N] on *na, as calcForce has left it
   Node* na = nullptr;             ///< the node at one end
   Node* nb = nullptr;             ///< the node at the other end
   const ForceLaw* law = nullptr;  ///< (*law)(na->x, nb->x, stiffness, length) is the force on *na
@@ -51,7 +51,7 @@ struct Spring {
   /// changes nothing.
   Vec3 getForce(const Node& node) const;
 
-  /// Writes F: the force on *na. Asks the law once, and changes no node.
+  /// Writes F [N]: the force on *na. Asks the law once, and changes no node.
   void calcForce();
 };
 
@@ -60,12 +60,12 @@ struct Body {
   std::vector<Node> nodes;
   std::vector<Spring> springs;
 
-  /// Program (1), loops nested in the nodes: each node asks its springs. Writes F and a of every node, with
+  /// Program (1), loops nested in the nodes: each node asks its springs. Writes F [N] and a [m/s^2] of every node, with
   /// Spring::getForce and Node::calcAcceleration.
   void gather();
 
   /// Program (2), calculate and distribute: each spring is calculated once and gives its force to its two nodes. Writes
-  /// F and a of every node, with Spring::calcForce and Node::calcAcceleration.
+  /// F [N] and a [m/s^2] of every node, with Spring::calcForce and Node::calcAcceleration.
   void scatter();
 };
 

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t fewestCriteria = 5;
-constexpr std::size_t mostCriteria = 9;
+constexpr std::size_t mostCriteria = 15;
 constexpr std::size_t fewestRight = 2;
 constexpr std::size_t fewestWrong = 8;
 

@@ -46,7 +46,7 @@ class Lint : public testing::Test {
 
 TEST_F(Lint, AScaffoldLacksWhatItsAuthorHasToWrite) {
   expectTold("exercises/swing/README.md:3: still to be written");
-  expectTold("exercise.toml: 1 criterion; make it 5 to 9");
+  expectTold("exercise.toml: 1 criterion; make it 5 to 15");
   expectTold("public_test.cpp: one suite only");
   expectTold("tests/submissions/swing/right: 1 submission; write 2 at least");
   expectTold("wrong/wrong_sign: is not known to come out as stated; ./muelle test-the-tests swing --remember");
