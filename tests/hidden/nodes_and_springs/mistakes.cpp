@@ -239,7 +239,7 @@ const ForceLaw hooke = [](const Vec3& xa, const Vec3& xb, double stiffness, doub
 Nodes someNodes(Random& random) {
   Nodes nodes;
   for (int i = 0; i < 4; ++i)
-    nodes.push_back({threeDigits(random.positive(0.2, 5.0)), threeDigits(random.vector3(1.0))});
+    nodes.push_back({threeDigits(random.positive(3.0, 90.0)), threeDigits(random.vector3(100.0))});
   return nodes;
 }
 
@@ -248,7 +248,7 @@ Springs someSprings(Random& random) {
   for (int i = 0; i < 5; ++i) {
     const int a = random.integer(0, 3);
     springs.push_back(
-        {a, (a + random.integer(1, 3)) % 4, threeDigits(random.positive(5.0, 500.0)), random.rounded(0.4, 1.6)});
+        {a, (a + random.integer(1, 3)) % 4, threeDigits(random.positive(5.0, 500.0)), random.rounded(40.0, 160.0)});
   }
   return springs;
 }
@@ -256,21 +256,21 @@ Springs someSprings(Random& random) {
 }  // namespace
 
 MUELLE_ARGUMENTS(getForce, [](Random& random) {
-  const Vec3 xa = threeDigits(random.vector3(1.0)), xb = threeDigits(random.vector3(1.0));
-  const double stiffness = threeDigits(random.positive(5.0, 500.0)), length = random.rounded(0.4, 1.6);
+  const Vec3 xa = threeDigits(random.vector3(100.0)), xb = threeDigits(random.vector3(100.0));
+  const double stiffness = threeDigits(random.positive(5.0, 500.0)), length = random.rounded(40.0, 160.0);
   const int end = random.integer(0, 1);
   const ForceLaw law = hooke;
   return std::tuple(xa, xb, stiffness, length, end, law);
 });
 MUELLE_ARGUMENTS(calcForce, [](Random& random) {
-  const Vec3 xa = threeDigits(random.vector3(1.0)), xb = threeDigits(random.vector3(1.0));
-  const double stiffness = threeDigits(random.positive(5.0, 500.0)), length = random.rounded(0.4, 1.6);
+  const Vec3 xa = threeDigits(random.vector3(100.0)), xb = threeDigits(random.vector3(100.0));
+  const double stiffness = threeDigits(random.positive(5.0, 500.0)), length = random.rounded(40.0, 160.0);
   const ForceLaw law = hooke;
   return std::tuple(xa, xb, stiffness, length, law);
 });
 MUELLE_ARGUMENTS(calcAcceleration, [](Random& random) {
-  const double mass = threeDigits(random.positive(0.2, 5.0));
-  const Vec3 F = threeDigits(random.vector3(10.0));
+  const double mass = threeDigits(random.positive(3.0, 90.0));
+  const Vec3 F = threeDigits(random.vector3(300.0));
   return std::tuple(mass, F);
 });
 MUELLE_ARGUMENTS(gather, [](Random& random) {

@@ -55,12 +55,13 @@ const ForceLaw strange = [](const Vec3& xa, const Vec3& xb, double stiffness, do
 };
 
 /// A law that counts how often it is asked, by the stiffness of the spring.
+/// Springs are known by their stiffness, the larger of both numbers also where these are passed in the wrong order.
 struct CountedLaw {
   std::shared_ptr<std::map<double, int>> asked = std::make_shared<std::map<double, int>>();
 
   ForceLaw law() const {
     return [asked = asked](const Vec3& xa, const Vec3& xb, double stiffness, double length) {
-      ++(*asked)[stiffness];
+      ++(*asked)[std::max(stiffness, length)];
       return hookesForce(xa, xb, stiffness, length);
     };
   }

@@ -1,4 +1,4 @@
-// loses: CalcAcceleration; misconception: whole_numbers
+// loses: CalcAcceleration, Gather, Scatter; misconception: whole_numbers
 #include "nodes_and_springs.h"
 
 void Node::calcAcceleration() {

@@ -1,4 +1,4 @@
-// loses: GetForce, Gather, BothAlike, Questions, AtRest; misconception: force_left_before
+// loses: GetForce, Questions; misconception: force_left_before
 // Believes that calcForce was called before.
 #include "nodes_and_springs.h"
 
