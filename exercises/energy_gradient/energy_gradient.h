@@ -10,7 +10,8 @@
 ///  - k is from 1e-3 to 1e9 N/m, L0 from 0 to 1000 m, a coordinate at most 1000 m in size. Nothing else is passed, so
 ///    nothing else needs a check.
 ///  - Numbers are double, and derivatives are formulas: exact to round-off.
-///  - Near rest the energy keeps its digits: where the spring is stretched by a millionth or a thousand-millionth of its
+///  - Near rest the energy keeps its digits: where the spring is stretched by a millionth or a thousand-millionth of
+///  its
 ///    length, too. Subtract the lengths before you square.
 ///  - L = |xa - xb| is a length: never negative, also where the nodes have crossed.
 ///  - Where L = 0 the spring has no direction: gradients and forces are zero there, never NaN. Its energy is not zero:

@@ -70,10 +70,11 @@ TEST_F(EveryExercise, HasNoFolderWithoutAManifest) {
 }
 
 // That suites and criteria are the same is the build's to say (agreement_TOPIC).
-TEST_F(EveryExercise, HasFiveToNineCriteria) {
+// One for each function's values, and the laws and edges beside them: an exercise of nine functions has thirteen.
+TEST_F(EveryExercise, HasFiveToFifteenCriteria) {
   for (const Manifest& exercise : course) {
     EXPECT_GE(exercise.criteria.size(), 5U) << exercise.topic;
-    EXPECT_LE(exercise.criteria.size(), 9U) << exercise.topic;
+    EXPECT_LE(exercise.criteria.size(), 15U) << exercise.topic;
   }
 }
 

@@ -1,4 +1,4 @@
-// loses: BendingAngle; misconception: not_normalised
+// loses: BendingAngle, BendingEnergy, BendingForce, MinusTheGradient, Narrow; misconception: not_normalised
 #include "generalised_springs.h"
 
 #include <Eigen/Geometry>
