@@ -82,7 +82,7 @@ class Contract {
   /// The comment that ends right above the line.
   std::string docstringAbove(std::size_t line) const {
     std::string words;
-    while (line > 0 && trimmed(lines_[line - 1]).starts_with("///")) words = lines_[--line] + "\n" + words;
+    while (line > 0 && trimmed(lines_[line - 1]).starts_with("///")) words.insert(0, "\n").insert(0, lines_[--line]);
     return words;
   }
 
