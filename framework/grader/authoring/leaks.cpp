@@ -1,5 +1,6 @@
 #include "grader/authoring/leaks.h"
 
+#include "base/text/words.h"
 #include "grader/matrix/token.h"
 
 #include <fmt/format.h>
@@ -10,8 +11,6 @@ namespace muelle::grader {
 namespace {
 
 bool isSource(const std::string& file) { return file.ends_with(".cpp") || file.ends_with(".h"); }
-
-bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
 /// One file against what is withheld.
 class Search {
@@ -62,7 +61,7 @@ class Search {
   void findNames(const std::set<std::string>& known) {
     for (std::size_t i = 0; i < text_.size();) {
       std::size_t end = i;
-      while (end < text_.size() && (isLetter(text_[end]) || (end > i && isDigit(text_[end])))) ++end;
+      while (end < text_.size() && isNameCharacter(text_[end]) && (end > i || !isDigit(text_[end]))) ++end;
       const std::string word = text_.substr(i, end - i);
       const auto type = withheld_.types.find(word);
       if (type != withheld_.types.end() && !known.contains(word)) {

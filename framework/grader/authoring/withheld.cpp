@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <functional>
 
 namespace muelle::grader {
 
@@ -81,11 +80,13 @@ class Reader {
   Withheld read() {
     for (const Manifest& exercise : readCourse(checkout_ / "exercises")) {
       takeContract(exercise.topic);
-      forEachSource(checkout_ / "tests/submissions" / exercise.topic / "right", answers());
+      forEachSource(checkout_ / "tests/submissions" / exercise.topic / "right",
+                    [this](const fs::path& file, const std::string& text) { takeAnswers(file, text); });
     }
-    forEachSource(checkout_ / "solutions", answers());
-    forEachSource(checkout_ / "solutions",
-                  [this](const fs::path& file, const std::string& text) { takeNumbers(shown(file), tokenise(text)); });
+    forEachSource(checkout_ / "solutions", [this](const fs::path& file, const std::string& text) {
+      takeAnswers(file, text);
+      takeNumbers(shown(file), tokenise(text));
+    });
     forEachSource(checkout_ / "tests/hidden", [this](const fs::path& file, const std::string& text) {
       const Tokens tokens = tokenise(text);
       takeNumbers(shown(file), tokens);
@@ -108,13 +109,11 @@ class Reader {
     }
   }
 
-  std::function<void(const fs::path&, const std::string&)> answers() {
-    return [this](const fs::path& file, const std::string& text) {
-      for (const Expression& expression : expressionsOf(text)) {
-        if (expression.weight >= leastWeight) withheld_.plain.emplace(expression.plain, shown(file));
-        if (expression.weight >= leastShapeWeight) withheld_.shapes.emplace(expression.shape, shown(file));
-      }
-    };
+  void takeAnswers(const fs::path& file, const std::string& text) {
+    for (const Expression& expression : expressionsOf(text)) {
+      if (expression.weight >= leastWeight) withheld_.plain.emplace(expression.plain, shown(file));
+      if (expression.weight >= leastShapeWeight) withheld_.shapes.emplace(expression.shape, shown(file));
+    }
   }
 
   void takeNumbers(const std::string& file, const Tokens& tokens) {
