@@ -10,9 +10,8 @@ cd "$scratch" || exit 1
 export MUELLE_KEPT="$scratch/kept"
 failures=0
 
-topic="$(for manifest in "$source"/exercises/*/exercise.toml; do
-  echo "$(sed -n 's/^order = //p' "$manifest") $(basename "$(dirname "$manifest")")"
-done | sort -n | head -n 1 | cut -d' ' -f2)"
+source "$source/tests/support/first_exercise.sh"
+topic="$(first_exercise "$source")"
 for student in ana ben; do
   mkdir -p "class/$student/$topic"
   cp "$source/solutions/$topic/$topic.cpp" "class/$student/$topic/"

@@ -11,7 +11,8 @@ cd "$scratch" || exit 1
 failures=0
 export MUELLE_KEPT="$scratch/kept"  # `clean` must not forget what others have graded
 
-topic="$(ls "$source/solutions" | head -n 1)"
+source "$source/tests/support/first_exercise.sh"
+topic="$(first_exercise "$source")"
 answer="$source/solutions/$topic/$topic.cpp"
 mkdir -p class/one/$topic
 cp "$answer" class/one/$topic/

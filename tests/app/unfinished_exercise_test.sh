@@ -10,7 +10,8 @@ mkdir -p "$tree/framework"
 cp "$source"/CMake* "$tree"
 for room in app base cmake course figures harness; do cp -R "$source/framework/$room" "$tree/framework"; done
 cp -R "$source/exercises" "$tree"
-first="$(basename "$(dirname "$(ls "$source"/exercises/*/exercise.toml | head -n 1)")")"
+source "$source/tests/support/first_exercise.sh"
+first="$(first_exercise "$source")"
 failures=0
 complain() {
   printf '%s\n' "$@" >&2
@@ -27,11 +28,11 @@ expect() {
 has_target() { ninja -C "$tree/build" -t targets all | grep "CMakeFiles/$1[.]dir/.*[.]o:" >/dev/null; }
 
 mv "$tree/exercises/$first/demo.cpp" "$scratch"
-mkdir "$tree/exercises/pendulum"
-printf '#include "harness/exercise.h"\n' >"$tree/exercises/pendulum/pendulum.h"
+mkdir "$tree/exercises/wheel"
+printf '#include "harness/exercise.h"\n' >"$tree/exercises/wheel/wheel.h"
 cmake -S "$tree" --preset default >"$scratch/log" 2>&1 || complain "cmake: $(tail -5 "$scratch/log")"
-lacks_all="pendulum: exercises/pendulum/exercise.toml, exercises/pendulum/pendulum.cpp, exercises/pendulum/public_test.cpp"
-lacks_all+=", exercises/pendulum/demo.cpp"
+lacks_all="wheel: exercises/wheel/exercise.toml, exercises/wheel/wheel.cpp, exercises/wheel/public_test.cpp"
+lacks_all+=", exercises/wheel/demo.cpp"
 expect "$first: exercises/$first/demo.cpp
 $lacks_all"
 has_target public_$first && complain "an exercise without demo is built"
@@ -42,11 +43,11 @@ mv "$scratch/demo.cpp" "$tree/exercises/$first"
 expect "$lacks_all"
 has_target public_$first || complain "the exercise is complete and not found"
 
-for file in exercise.toml public_test.cpp demo.cpp; do cp "$tree/exercises/$first/$file" "$tree/exercises/pendulum"; done
-cp "$tree/exercises/$first/$first.cpp" "$tree/exercises/pendulum/pendulum.cpp"
+for file in exercise.toml public_test.cpp demo.cpp; do cp "$tree/exercises/$first/$file" "$tree/exercises/wheel"; done
+cp "$tree/exercises/$first/$first.cpp" "$tree/exercises/wheel/wheel.cpp"
 expect ""
-has_target public_pendulum || complain "the new exercise is complete and not found"
+has_target public_wheel || complain "the new exercise is complete and not found"
 
-rm "$tree/exercises/pendulum/public_test.cpp"
-expect "pendulum: exercises/pendulum/public_test.cpp"
+rm "$tree/exercises/wheel/public_test.cpp"
+expect "wheel: exercises/wheel/public_test.cpp"
 exit $((failures > 0))

@@ -36,7 +36,8 @@ grade_fresh() {
   grade_again
 }
 grade_again() { MUELLE_KEPT="$work/kept" "$muelle" grade solutions --jobs 2 --out "$work/report" >"$work/graded"; }
-one=$(cd solutions && ls -d -- * | head -n 1) # any exercise would do
+source tests/support/first_exercise.sh
+one="$(first_exercise .)"
 check_one() { # touches the file's content, so that nothing kept applies
   cp "solutions/$one/$one.cpp" "$work/$one.cpp"
   echo "// $RANDOM$RANDOM" >>"$work/$one.cpp"

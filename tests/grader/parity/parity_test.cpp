@@ -2,8 +2,9 @@
 /// Every right and wrong submission, every solution, and every hostile one that acts through the C library has the same
 /// class of outcome in `check` and in `grade`, on the inputs of the public tests.
 ///
-/// A pair costs two to three seconds of processor time. One known submission in sixteen is taken, whatever is new or
-/// changed always (corpus_share.h); MUELLE_SHARE=all takes everything, MUELLE_SHARE=N one in N.
+/// A pair costs three to six seconds of processor time. A share of the known submissions is taken, whatever is new or
+/// changed always (corpus_share.h), and one solution in four; MUELLE_SHARE=all takes everything, MUELLE_SHARE=N one in
+/// N.
 
 #include "confined_check.h"
 
@@ -52,6 +53,18 @@ bool isExcepted(const fs::path& folder) {
 
 int share() { return std::getenv("MUELLE_SHARE") == nullptr ? 2 * usualShare : shareOfEnvironment(); }
 
+Workplace workplaceOfPublicTests() {
+  Workplace workplace = Workplace::ofThisBuild();
+  workplace.binary = MUELLE_PARITY;
+  return workplace;
+}
+
+/// Whether this build has the exercise: it may have been configured for some alone.
+bool isBuilt(const fs::path& folder) {
+  const std::string topic = manifestOf(folder, source / "exercises").topic;
+  return fs::exists(workplaceOfPublicTests().hiddenProgram(topic));
+}
+
 std::vector<fs::path> submissions() {
   const fs::path corpus = source / "tests" / "submissions";
   const CorpusShare taken(corpus, share());
@@ -62,7 +75,9 @@ std::vector<fs::path> submissions() {
     const bool isKnown = !folders.empty() && folders.back() == folder;
     if (!isKnown && !isExcepted(folder) && (isPart || taken.takes(folder))) folders.push_back(folder);
   }
-  for (const fs::path& folder : submissionsIn(source / "solutions")) folders.push_back(folder);
+  const std::vector<fs::path> solutions = submissionsIn(source / "solutions");
+  for (std::size_t i = 0; i < solutions.size(); i += share() == 1 ? 1 : 4) folders.push_back(solutions[i]);
+  std::erase_if(folders, [](const fs::path& folder) { return !isBuilt(folder); });
   return folders;
 }
 
@@ -73,12 +88,6 @@ std::string nameOfTest(const ::testing::TestParamInfo<fs::path>& info) {
   std::ranges::replace_if(
       name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
   return name;
-}
-
-Workplace workplaceOfPublicTests() {
-  Workplace workplace = Workplace::ofThisBuild();
-  workplace.binary = MUELLE_PARITY;
-  return workplace;
 }
 
 /// A criterion for each suite of the public tests, in their order.

@@ -7,7 +7,8 @@ set -uo pipefail
 if [[ ${1:-} == inside ]]; then
   # In a mount namespace of its own, which ends with this process.
   source="$2" build="$3" scratch="$4"
-  topic="$(cd "$source/solutions" && ls | head -n 1)"
+  source "$source/tests/support/first_exercise.sh"
+  topic="$(first_exercise "$source")"
   root="$scratch/root"
   mkdir "$root"
   mount --bind / "$root" || exit 77
