@@ -74,11 +74,11 @@ class Builder {
     if (const auto found = unfinished.find(topic_); found != unfinished.end()) {
       throw std::runtime_error(sayUnfinished(topic_, found->second));
     }
-    if (!fs::exists(parts_)) {
+    if (const fs::path lacks = missingPart(); !lacks.empty()) {
       throw std::runtime_error(
           fmt::format("{} is not in the build ({} was not made); ./muelle check makes it, or: cmake --build build -t "
                       "muelle_checking",
-                      topic_, parts_.filename().string()));
+                      topic_, lacks.filename().string()));
     }
     // A file elsewhere (--file) has a slot of its own, so that it does not push out the student's.
     const std::size_t place = std::hash<std::string>{}(fs::absolute(sources_.front().parent_path()).string());
@@ -144,6 +144,15 @@ class Builder {
     if (!runTool(compileCommand(view, source, missingObject_, nullptr), limits_).succeeded) return false;
     objects.push_back(missingObject_);
     return true;
+  }
+
+  /// The first file of ours that the program needs and the build has not made, else empty: nobody's file is to blame.
+  fs::path missingPart() const {
+    if (!fs::exists(parts_)) return parts_;
+    for (const std::string& word : readParts(readFile(parts_))) {
+      if (!word.starts_with("-") && !fs::exists(word)) return word;
+    }
+    return {};
   }
 
   /// As the grader's intake reads it: what is no text, or too much of it, is refused before it meets the compiler.

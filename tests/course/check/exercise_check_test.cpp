@@ -668,6 +668,22 @@ TEST_F(Check, APathWithBlanksQuotesAndAccentsLinks) {
   EXPECT_TRUE(runPublicTests(program).allPassed());
 }
 
+/// Without it the linker would name what the contract names, and the student would be blamed.
+TEST_F(Check, AnObjectOfOursThatIsMissingIsNotTheFilesFault) {
+  const std::filesystem::path build = folder_.path() / "build";
+  std::filesystem::create_directories(build / "check");
+  writeFile(build / "check/fixture_spring.parts", "public_test.cpp.o\n");
+  writeFile(folder_.path() / "fixture_spring.cpp", "#include \"fixture_spring.h\"\n" + twice + entry);
+  const CheckFolders folders{folders_.exercises, build, folder_.path() / "out"};
+  try {
+    buildStudentProgram(manifest_, {folder_.path() / "fixture_spring.cpp"}, folders);
+    FAIL() << "nothing is missed";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string(error.what()).find("fixture_spring is not in the build (public_test.cpp.o was not made)"), 0U)
+        << error.what();
+  }
+}
+
 TEST_F(Check, AnUnchangedFileIsNotCompiledAgain) {
   const StudentProgram first = build(twice + entry);
   const auto built = std::filesystem::last_write_time(first.executable);
