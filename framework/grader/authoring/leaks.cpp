@@ -29,6 +29,14 @@ class Search {
     }
   }
 
+  void findBodies() {
+    for (const Expression& body : bodiesOf(text_)) {
+      if (const auto found = withheld_.bodies.find(body.shape); found != withheld_.bodies.end()) {
+        add(body.offset, fmt::format("answers an exercise: the function is one of {}", found->second));
+      }
+    }
+  }
+
   /// NAME ( ... ) {, but in the stub, and in its contract, which may turn a call into one of the student's classes.
   void findDefinitions() {
     const std::vector<Token> tokens = tokenise(text_);
@@ -148,6 +156,7 @@ std::vector<Leak> findLeaks(const Tree& tree, const Withheld& withheld, const st
     Search search(file, text, withheld, leaks);
     if (isSource(file)) {
       search.findAnswers();
+      search.findBodies();
       search.findDefinitions();
       // The ends of a contract's ranges are passed by its hidden tests.
       if (!file.starts_with("exercises/") || !file.ends_with(".h")) search.findNumbers();

@@ -17,6 +17,7 @@ namespace {
 // Below these weights people who know nothing of each other write the same.
 constexpr std::size_t leastWeight = 14;       // -k * (L - L0) has 14
 constexpr std::size_t leastShapeWeight = 17;  // whatever the names are
+constexpr std::size_t leastBodyWeight = 40;   // as long as four short lines
 constexpr std::size_t shortestSentence = 32;  // [bytes]
 
 bool isArithmetic(std::string_view token) {
@@ -61,6 +62,21 @@ Expression expressionOf(const Tokens& tokens, std::size_t begin, std::size_t end
   return expression;
 }
 
+/// Where the brace closes that opens at `open`; the number of tokens when none does.
+std::size_t closingBrace(const Tokens& tokens, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < tokens.size(); ++i) {
+    if (tokens[i].text == "{") ++depth;
+    if (tokens[i].text == "}" && --depth == 0) return i;
+  }
+  return tokens.size();
+}
+
+bool opensBody(const Tokens& tokens, std::size_t i) {
+  if (tokens[i].text != "{" || i == 0) return false;
+  return tokens[i - 1].text == ")" || (tokens[i - 1].text == "const" && i > 1 && tokens[i - 2].text == ")");
+}
+
 template <class Action>
 void forEachSource(const fs::path& folder, const Action& action) {
   if (!fs::exists(folder)) return;
@@ -85,6 +101,7 @@ class Reader {
     }
     forEachSource(checkout_ / "solutions", [this](const fs::path& file, const std::string& text) {
       takeAnswers(file, text);
+      takeBodies(file, text);
       takeNumbers(shown(file), tokenise(text));
     });
     forEachSource(checkout_ / "tests/hidden", [this](const fs::path& file, const std::string& text) {
@@ -114,6 +131,10 @@ class Reader {
       if (expression.weight >= leastWeight) withheld_.plain.emplace(expression.plain, shown(file));
       if (expression.weight >= leastShapeWeight) withheld_.shapes.emplace(expression.shape, shown(file));
     }
+  }
+
+  void takeBodies(const fs::path& file, const std::string& text) {
+    for (const Expression& body : bodiesOf(text)) withheld_.bodies.emplace(body.shape, shown(file));
   }
 
   void takeNumbers(const std::string& file, const Tokens& tokens) {
@@ -163,6 +184,20 @@ std::vector<Expression> expressionsOf(std::string_view source) {
     begin = i + 1;
   }
   return expressions;
+}
+
+std::vector<Expression> bodiesOf(std::string_view source) {
+  const Tokens tokens = tokenise(source);
+  std::vector<Expression> bodies;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (!opensBody(tokens, i)) continue;
+    const std::size_t end = closingBrace(tokens, i);
+    if (end == i + 1) continue;
+    if (const Expression body = expressionOf(tokens, i + 1, end); body.weight >= leastBodyWeight)
+      bodies.push_back(body);
+    i = end;
+  }
+  return bodies;
 }
 
 bool isOwnNumber(std::string_view number) {

@@ -20,6 +20,10 @@ struct Expression {
 /// What is returned or assigned in a source, a statement each; those with two arithmetic operators at least.
 std::vector<Expression> expressionsOf(std::string_view source);
 
+/// The bodies of a source's functions, each as one expression: lines that are too short to be told from anybody's may
+/// answer an exercise together.
+std::vector<Expression> bodiesOf(std::string_view source);
+
 /// A number with a fraction and four digits that count, at least: "0.858375"; no round one such as 100.0.
 bool isOwnNumber(std::string_view number);
 
@@ -29,6 +33,7 @@ struct Withheld {
   std::map<std::string, std::string> shapes;  ///< the longer ones, in whatever names
   std::map<std::string, std::string>
       functions;  ///< that students write -> "exercises/TOPIC/TOPIC.cpp", where they may stand
+  std::map<std::string, std::string> bodies;     ///< of functions of answers, in whatever names
   std::map<std::string, std::string> sentences;  ///< of hidden tests
   std::map<std::string, std::string> numbers;    ///< of hidden tests and solutions
   std::map<std::string, std::string> types;      ///< of the instructors' rooms, in two words at least
