@@ -16,8 +16,8 @@
 ///  - Numbers are double, and derivatives are formulas: exact to round-off.
 ///  - Where all nodes are at one point (also: where there is one node) the spread is 0 and has no gradient: gradient
 ///    and force are zero there, never NaN. The energy is not zero: it is that of a class squeezed to nothing. Such
-///    nodes are at points like (0.5, -1.25, 2), with masses like 2 or 0.25 kg: every way to compute their centre is
-///    exact.
+///    nodes are at points like (0.5, -1.25, 2), with masses like 2 or 0.25 kg that add up to a power of two: every way
+///    to compute their centre is exact.
 ///  - Every spread above zero has a gradient, however small: 1e-9 m has one, and so has 1e-100 m, the smallest.
 
 #include "harness/exercise.h"

@@ -2,10 +2,12 @@
 
 #include "base/text/nearest.h"
 #include "base/text/printable.h"
+#include "base/text/words.h"
 #include "base/toml/table.h"
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -22,9 +24,8 @@ bool isLowerName(const std::string& name) {
 }
 
 bool isIdentifier(const std::string& name) {
-  const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  const auto isAllowed = [&](char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '_'; };
-  return !name.empty() && isLetter(name[0]) && std::ranges::all_of(name, isAllowed);
+  const bool beginsWithLetter = !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) != 0;
+  return beginsWithLetter && std::ranges::all_of(name, isNameCharacter);
 }
 
 bool isSourceName(const std::string& name) {
