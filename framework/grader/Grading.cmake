@@ -1,6 +1,7 @@
 # What grades an exercise, beside what its students get (framework/cmake/Exercise.cmake).
 
 include(${CMAKE_CURRENT_LIST_DIR}/authoring/OldIncludes.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/Implementations.cmake)
 
 # The files that it needs besides; @topic@ stands for its name.
 set(MUELLE_GRADING_NEEDS tests/hidden/@topic@/@topic@_test.cpp tests/hidden/@topic@/oracle.cpp
@@ -62,6 +63,7 @@ function(muelle_grading_parts topic)
                                  ${folder}/demo.cpp)
   target_link_libraries(hidden_${topic} PRIVATE reference_demo_${topic} muelle_hidden_main)
   muelle_link_engine_if_asked(hidden_${topic} ${hidden}/${topic}_test.cpp)
+  muelle_implementations(${topic})
   target_include_directories(hidden_${topic} PRIVATE ${folder})
   target_compile_options(hidden_${topic} PRIVATE ${MUELLE_LIGHT})
   muelle_define_paths(hidden_${topic} MUELLE_EXERCISE_FOLDER ${folder})

@@ -14,6 +14,14 @@ class BadQuestion : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
+/// What a function of a test throws that is to reach whoever asked it: in the student's function it is a
+/// std::runtime_error with these words, to be caught or not. Any other exception of a test's function is the test's
+/// fault.
+class ThrownToAsker : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// A function that a test passes to the student's. Reports show its source; it counts how often it was asked.
 ///
 ///     const TestFunction<double(double)> square("[](double x) { return x * x; }", [](double x) { return x * x; });

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <random>
 #include <sstream>
+#include <string_view>
 
 namespace muelle::grader {
 
@@ -211,6 +212,7 @@ void Session::answerCallback(const Request& request, const wire::Frame& frame, s
   if (frame.header.target >= request.callbacks.size()) {
     throw SubmissionFault(request.function + " called a function that it was not given");
   }
+  wire::FrameKind kind = wire::FrameKind::Answer;
   std::vector<std::byte> answer;
   try {
     answer = request.callbacks[frame.header.target](frame.payload);
@@ -219,8 +221,13 @@ void Session::answerCallback(const Request& request, const wire::Frame& frame, s
         fmt::format("{} called its argument with malformed values: {}", request.function, error.what()));
   } catch (const BadQuestion& question) {
     throw SubmissionFault(fmt::format("{} {}", request.function, question.what()));
+  } catch (const ThrownToAsker& thrown) {
+    kind = wire::FrameKind::AnswerThrew;
+    const std::string_view words = thrown.what();
+    const auto* bytes = reinterpret_cast<const std::byte*>(words.data());
+    answer.assign(bytes, bytes + words.size());
   }
-  worker_->send(wire::FrameKind::Answer, nonce, frame.header.target, answer, patience, request.function);
+  worker_->send(kind, nonce, frame.header.target, answer, patience, request.function);
 }
 
 void Session::remember(const Request& request, const std::vector<std::byte>& reply) {

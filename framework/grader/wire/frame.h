@@ -16,6 +16,7 @@ enum class FrameKind : std::uint32_t {
   Died = 9,        ///< worker: a signal ended it; payload: "stack overflow", or the forbidden system call's name
   HostError = 10,  ///< worker: the host could not confine itself; the grader's fault
   Confined = 11,   ///< worker: a filter stands; after the second, whatever comes may be the student's word
+  AnswerThrew = 12,  ///< test: in place of an Answer, the function threw, which goes on in the worker; payload: text
 };
 
 /// Precedes every message. The nonce is fresh and random for each call; every frame of that call repeats it.

@@ -25,6 +25,8 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
+#include <stdexcept>
+#include <string>
 
 namespace {
 
@@ -83,13 +85,19 @@ wire::Frame receive() {
   return frame;
 }
 
+std::string textOf(const wire::Frame& frame) {
+  return {reinterpret_cast<const char*>(frame.payload.data()), frame.payload.size()};
+}
+
 std::uint64_t currentNonce = 0;  // for the signal handlers
 
 class Port : public worker::HostPort {
  public:
   std::vector<std::byte> callback(std::uint32_t id, const std::vector<std::byte>& arguments) override {
     send(wire::FrameKind::Callback, currentNonce, id, arguments.data(), arguments.size());
-    return receive().payload;
+    wire::Frame answer = receive();
+    if (answer.header.kind == wire::FrameKind::AnswerThrew) throw std::runtime_error(textOf(answer));
+    return std::move(answer.payload);
   }
 
   [[noreturn]] void refuse(const std::string& condition, const std::string& function, bool indexKnown,

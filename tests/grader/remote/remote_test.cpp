@@ -1,6 +1,8 @@
 #include "fixture.h"
 #include "fixture_session.h"
 
+#include "course/testing/test_function.h"
+
 #include <cmath>
 #include <limits>
 
@@ -62,6 +64,19 @@ TEST_F(RemoteCall, LetsTheStudentCallTheTestsFunction) {
   EXPECT_NEAR(x.x(), 1, 1e-14);
   EXPECT_NEAR(x.z(), -10 * 0.01 * 55, 1e-13) << "v_i = -i, so x = -0.1 (1 + ... + 10)";
   EXPECT_EQ(submission::callTwice([](double y) { return 3 * y; }, 2), 18);
+}
+
+TEST_F(RemoteCall, ThrowsInTheStudentsFunctionWhatTheTestThrowsToIt) {
+  const auto root = [](double x) {
+    if (x < 0) throw muelle::ThrownToAsker("no root");
+    return std::sqrt(x);
+  };
+  EXPECT_EQ(submission::answerOr(root, 4, 7), 2);
+  EXPECT_EQ(submission::answerOr(root, -4, 7), 7) << "it was caught, and the worker goes on";
+  EXPECT_EQ(submission::answerOr(root, 9, 7), 3);
+  EXPECT_EQ(session().fault(), "");
+  EXPECT_THROW(submission::callTwice(root, -4), muelle::grader::SubmissionFault) << "nobody caught it";
+  EXPECT_NE(session().fault().find("no root"), std::string::npos) << session().fault();
 }
 
 TEST_F(RemoteCall, RepeatsCallsUnasked) {
