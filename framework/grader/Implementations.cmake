@@ -26,7 +26,7 @@ function(muelle_include_submission result exercise submission name)
   file(STRINGS ${source} includes REGEX "^ *#include *<")
   set(declared "")
   foreach(function ${functions})
-    string(APPEND declared "decltype(corpus::${function}) ${function};\n")
+    string(APPEND declared "decltype(corpus::contract_${function}) ${function};\n")
   endforeach()
   set(${result} "namespace corpus::${name} {\n${declared}#include \"${source}\"\n}\n" PARENT_SCOPE)
   set(system ${system} ${includes} PARENT_SCOPE)
@@ -61,6 +61,13 @@ function(muelle_implementations_source file exercise)
   endforeach()
   list(REMOVE_DUPLICATES system)
   list(JOIN system "\n" system)
+  # The contract's own declarations under other names: a call with one of its structs would find them, too.
+  set(renamed "")
+  set(restored "")
+  foreach(function ${functions})
+    string(APPEND renamed "#define ${function} contract_${function}\n")
+    string(APPEND restored "#undef ${function}\n")
+  endforeach()
   file(CONFIGURE OUTPUT ${file} @ONLY CONTENT
 "// Made by the build (framework/grader/Implementations.cmake).
 #include \"harness/exercise.h\"
@@ -69,8 +76,8 @@ ${system}
 
 namespace {
 namespace corpus {
-#include \"${contract}\"
-}
+${renamed}#include \"${contract}\"
+${restored}}
 
 ${bodies}}
 ")

@@ -1,0 +1,97 @@
+#include "harness/demo.h"
+#include "catch_the_mistake.h"
+#include "wrong_ones.h"
+
+#include <exception>
+#include <memory>
+
+// A table of wrong implementations: which of them your tests catch, and how many questions that takes.
+
+namespace {
+
+/// What a function of the student's came to.
+struct Outcome {
+  std::string name;
+  bool isCaught;
+  long questions;
+};
+
+using Count = std::shared_ptr<long>;
+
+/// A function that counts how often it is asked.
+template <class Result, class... Args>
+std::function<Result(Args...)> counted(const Count& count, const std::function<Result(Args...)>& function) {
+  return [count, function](Args... args) {
+    ++*count;
+    return function(args...);
+  };
+}
+
+/// An exception that leaves the student's function catches nothing.
+template <class Verdict>
+Outcome outcomeOf(const std::string& name, const Verdict& isTakenForRight) {
+  const Count count = std::make_shared<long>(0);
+  try {
+    const bool isCaught = !isTakenForRight(count);
+    return {name, isCaught, *count};
+  } catch (const std::exception&) {
+    return {name, false, *count};
+  }
+}
+
+std::vector<Outcome> forces() {
+  std::vector<Outcome> outcomes;
+  for (const auto& [name, force] : wrongForces()) {
+    outcomes.push_back(outcomeOf(
+        name, [&given = force](const Count& count) { return submission::isSpringForceRight(counted(count, given)); }));
+  }
+  return outcomes;
+}
+
+std::vector<Outcome> gradients() {
+  std::vector<Outcome> outcomes;
+  for (const auto& [name, pair] : wrongGradients()) {
+    outcomes.push_back(outcomeOf(name, [&given = pair](const Count& count) {
+      return submission::isGradientRight(counted(count, given.springEnergy), counted(count, given.energyGradient));
+    }));
+  }
+  return outcomes;
+}
+
+std::vector<Outcome> dampings() {
+  std::vector<Outcome> outcomes;
+  for (const auto& [name, damping] : wrongDampings()) {
+    outcomes.push_back(outcomeOf(
+        name, [&given = damping](const Count& count) { return submission::isDampingRight(counted(count, given)); }));
+  }
+  return outcomes;
+}
+
+/// A bar for each, as long as there are questions, at the height of its name; the first is at the top.
+void addBars(muelle::Figure::PanelBuilder panel, const std::vector<Outcome>& outcomes) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::string> names;
+  std::vector<double> caughtX, caughtY, freeX, freeY;
+  double longest = 1;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const Outcome& each = outcomes[outcomes.size() - 1 - i];
+    const double height = static_cast<double>(i), length = static_cast<double>(each.questions);
+    longest = std::max(longest, length);
+    names.push_back(each.name);
+    (each.isCaught ? caughtX : freeX).insert((each.isCaught ? caughtX : freeX).end(), {0, length, nan});
+    (each.isCaught ? caughtY : freeY).insert((each.isCaught ? caughtY : freeY).end(), {height, height, nan});
+  }
+  panel.linePoints("caught", caughtX, caughtY).linePoints("taken for right", freeX, freeY);
+  panel.yNames(names).yRange(-0.6, static_cast<double>(outcomes.size()) - 0.4).xRange(-0.04 * longest, 1.1 * longest);
+}
+
+}  // namespace
+
+MUELLE_DEMO {
+  muelle::Figure figure("caught", "Wrong implementations: how many questions your tests ask of each",
+                        "questions asked");
+  addBars(figure.panel("forces"), forces());
+  addBars(figure.panel("energies"), gradients());
+  addBars(figure.panel("dampings"), dampings());
+  return {figure};
+}

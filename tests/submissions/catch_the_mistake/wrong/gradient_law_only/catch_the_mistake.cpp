@@ -1,0 +1,84 @@
+// loses: WrongTogether, GradientEdges; misconception: law_only
+// thought: the law says it all
+#include "catch_the_mistake.h"
+
+struct Examiner {
+  bool passed = true;
+  void expect(double got, double wanted, double scale, double tolerance = 1e-9) {
+    const bool close = std::fabs(got - wanted) <= tolerance * scale;
+    passed = passed && close;
+  }
+  template <class V>
+  void expectVector(const V& got, const V& wanted, double scale, double tolerance = 1e-9) {
+    for (int i = 0; i < wanted.size(); ++i) expect(got[i], wanted[i], scale, tolerance);
+  }
+};
+
+bool isSpringForceRight(const SpringForce& f) {
+  Examiner examiner;
+  try {
+    // one number
+    examiner.expect(f(0.5, 2.5, 12, 0.75), 15, 33);
+    for (double r : {2.0, -2.0, 0.3, -0.3, 1e-4, -1e-4, 1e-10, 1e-14, 1e-22, -1e-40, 1e-55, -1e-80, 1e-100}) {
+      // linear in the length, from the number: slope k, on either side
+      const double L = std::fabs(r);
+      const double wanted = (r > 0 ? 1 : -1) * 12 * (L - 0.75);
+      examiner.expect(f(0, r, 12, 0.75), wanted, 12 * (L + 0.75));
+      examiner.expect(f(r, 0, 12, 0.75), -f(0, r, 12, 0.75), 12 * (L + 0.75));           // third law
+      examiner.expect(f(0, r, 1.2e6, 0.75), 1e5 * f(0, r, 12, 0.75), 1.2e6 * (L + 0.75));  // in proportion to k
+    }
+    examiner.expect(f(5, 7, 12, 0), f(1, 3, 12, 0), 24);  // without rest length, elsewhere
+    examiner.expect(f(1, 3, 12, 0), 24, 24);
+    examiner.expect(f(1, 3, 12, 2), 0, 24);
+    examiner.expect(f(-3, -3, 12, 0.75), 0, 9);
+  } catch (std::exception& e) {
+    return false;
+  }
+  return examiner.passed;
+}
+
+bool isGradientRight(const SpringEnergy& E, const EnergyGradient& dE) {
+  Examiner examiner;
+  try {
+    for (double L0 : {0.0, 1.5, 8.0}) {
+      Vec6 x;
+      x << 0.5, 2, -1, 2.5, -1, 5;
+      const double k = 3, h = 1e-4;
+      const Vec6 g = dE(x, k, L0);
+      for (int i = 0; i < 6; ++i) {
+        Vec6 before = x, after = x;
+        before[i] -= h;
+        after[i] += h;
+        examiner.expect((E(after, k, L0) - E(before, k, L0)) / (2 * h), g[i], k * (7 + L0), 1e-6);
+      }
+    }
+  } catch (std::exception& e) {
+    return false;
+  }
+  return examiner.passed;
+}
+
+bool isDampingRight(const ProjectedDamping& F) {
+  Examiner examiner;
+  const Vec3 zero = Vec3::Zero();
+  const Vec3 a(4, -1, 1), b(2, 2, 7), va(1.5, -2, 0.25), vb(-0.5, 1, 2);
+  const Vec3 e = Vec3(2, -3, -6) / 7;  // from b to a
+  const double d = 6, size = 100;
+  try {
+    const Vec3 force = F(a, b, va, vb, d);
+    examiner.expectVector(force, Vec3(-d * (va - vb).dot(e) * e), size);
+    examiner.expectVector(Vec3(F(b, a, vb, va, d)), Vec3(-force), size);            // third law
+    examiner.expectVector(Vec3(F(a, b, vb, va, d)), Vec3(-force), size);            // turned round
+    examiner.expectVector(Vec3(F(a, b, va + Vec3(3, 4, 5), vb + Vec3(3, 4, 5), d)), force, size);
+    examiner.expectVector(Vec3(F(a + va, b + va, va, vb, d)), force, size);         // elsewhere
+    examiner.expectVector(Vec3(F(a, b, va, vb, 7 * d)), Vec3(7 * force), 7 * size);
+    examiner.expectVector(Vec3(F(b + 150 * e, b, va, vb, d)), force, size);          // any length
+    examiner.expectVector(Vec3(F(b + Vec3(3, 2, 0), b, e, zero, d)), zero, size);     // across
+    for (double L : {1.0, 1e-3, 1e-7, 1e-10, 1e-16, 1e-33, 1e-45, 1e-70, 1e-100})
+      examiner.expectVector(Vec3(F(L * e, zero, va, vb, d)), force, size);
+    examiner.expectVector(Vec3(F(a, a, va, vb, d)), zero, size);
+  } catch (std::exception&) {
+    return false;
+  }
+  return examiner.passed;
+}
