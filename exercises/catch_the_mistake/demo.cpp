@@ -3,6 +3,7 @@
 #include "wrong_ones.h"
 
 #include <exception>
+#include <limits>
 #include <memory>
 
 // A table of wrong implementations: which of them your tests catch, and how many questions that takes.
@@ -67,21 +68,31 @@ std::vector<Outcome> dampings() {
   return outcomes;
 }
 
+/// Bars that share a name and a colour.
+struct Bars {
+  std::vector<double> x, y;
+
+  void add(double height, double length) {
+    const double gap = std::numeric_limits<double>::quiet_NaN();
+    x.insert(x.end(), {0, length, gap});
+    y.insert(y.end(), {height, height, gap});
+  }
+};
+
 /// A bar for each, as long as there are questions, at the height of its name; the first is at the top.
 void addBars(muelle::Figure::PanelBuilder panel, const std::vector<Outcome>& outcomes) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::string> names;
-  std::vector<double> caughtX, caughtY, freeX, freeY;
+  Bars caught, takenForRight;
   double longest = 1;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     const Outcome& each = outcomes[outcomes.size() - 1 - i];
-    const double height = static_cast<double>(i), length = static_cast<double>(each.questions);
+    const double length = static_cast<double>(each.questions);
     longest = std::max(longest, length);
     names.push_back(each.name);
-    (each.isCaught ? caughtX : freeX).insert((each.isCaught ? caughtX : freeX).end(), {0, length, nan});
-    (each.isCaught ? caughtY : freeY).insert((each.isCaught ? caughtY : freeY).end(), {height, height, nan});
+    (each.isCaught ? caught : takenForRight).add(static_cast<double>(i), length);
   }
-  panel.linePoints("caught", caughtX, caughtY).linePoints("taken for right", freeX, freeY);
+  if (!caught.x.empty()) panel.linePoints("caught", caught.x, caught.y).colour(0);
+  if (!takenForRight.x.empty()) panel.linePoints("taken for right", takenForRight.x, takenForRight.y).colour(1);
   panel.yNames(names).yRange(-0.6, static_cast<double>(outcomes.size()) - 0.4).xRange(-0.04 * longest, 1.1 * longest);
 }
 
@@ -90,6 +101,7 @@ void addBars(muelle::Figure::PanelBuilder panel, const std::vector<Outcome>& out
 MUELLE_DEMO {
   muelle::Figure figure("caught", "Wrong implementations: how many questions your tests ask of each",
                         "questions asked");
+  figure.slide(1);
   addBars(figure.panel("forces"), forces());
   addBars(figure.panel("energies"), gradients());
   addBars(figure.panel("dampings"), dampings());

@@ -14,11 +14,12 @@ using muelle::QuestionLog;
 
 /// The verdict of a function of yours on something wrong, and what it asked.
 void expectTakenForWrong(const std::string& name, bool isTakenForRight, const QuestionLog& log) {
-  {
-    MUELLE_LABEL("questions that you ask of this one: " + name + " (1: some, 0: none)");
-    EXPECT_NUMBER_NEAR(log.count() > 0 ? 1.0 : 0.0, 1.0, 0);
+  if (log.count() == 0) {
+    MUELLE_LABEL("whether you ask anything (1: yes, 0: no) of: " + name);
+    EXPECT_NUMBER_NEAR(0.0, 1.0, 0);
+    return;
   }
-  MUELLE_LABEL("your verdict on this one: " + name + " (1: right, 0: wrong); you asked " + log.text());
+  MUELLE_LABEL("your verdict (1: right, 0: wrong) on: " + name + "; you asked " + log.text());
   EXPECT_NUMBER_NEAR(isTakenForRight ? 1.0 : 0.0, 0.0, 0);
 }
 

@@ -19,7 +19,7 @@ using nlohmann::json;
 std::string dump(const json& document) { return document.dump(1, ' ', false, json::error_handler_t::replace); }
 
 /// Raised whenever the meaning of a field changes: an old record is then as if absent.
-constexpr int version = 7;
+constexpr int version = 8;
 
 json toJson(const Mismatch& m) {
   return {{"label", m.label},
@@ -101,12 +101,13 @@ json toJson(const CounterExample& example) {
   return {{"function", example.function},
           {"arguments", example.arguments},
           {"got", toJson(example.got)},
-          {"expected", toJson(example.expected)}};
+          {"expected", toJson(example.expected)},
+          {"is_verdict", example.isVerdict}};
 }
 
 CounterExample exampleFromJson(const json& document) {
   return {document.at("function"), document.at("arguments"), numbersFrom(document.at("got")),
-          numbersFrom(document.at("expected"))};
+          numbersFrom(document.at("expected")), document.at("is_verdict").get<bool>()};
 }
 
 /// Throws json::exception; std::runtime_error or std::bad_optional_access for values that are none of ours.

@@ -37,6 +37,7 @@ struct CounterExample {
   std::vector<std::string> arguments;  ///< each as source
   std::vector<double> got;             ///< result, then out-parameters
   std::vector<double> expected;
+  bool isVerdict = false;  ///< the function answers true or false, not a number
   bool operator==(const CounterExample&) const = default;
 };
 

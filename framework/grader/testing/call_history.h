@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -42,6 +43,7 @@ class CallHistoryBase {
   /// Where an answer cancels to nothing, the round-off of the arguments is left.
   virtual double roundOff(std::size_t call) const = 0;
   virtual int argumentCount() const = 0;
+  virtual bool answersTrueOrFalse() const = 0;
   /// Whether two arguments are of one type.
   virtual bool areAlike(int i, int j) const = 0;
 
@@ -122,6 +124,8 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
     forEachArgument(*calls_[call].given, [&numbers](const auto& argument, int) { appendNumbers(numbers, argument); });
     return 1e-12 * scaleOf(numbers);
   }
+
+  bool answersTrueOrFalse() const override { return std::is_same_v<Result, bool>; }
 
   bool areAlike(int i, int j) const override {
     Tuple none{};

@@ -325,7 +325,8 @@ std::optional<CounterExample> simplestCounterExample(const std::string& function
   const std::optional<std::size_t> found = Shrinker(function, history, contract).run();
   std::optional<CounterExample> example;
   if (found) {
-    example = CounterExample{function, history.argumentTexts(*found), history.outcome(*found), history.oracle(*found)};
+    example = CounterExample{function, history.argumentTexts(*found), history.outcome(*found), history.oracle(*found),
+                             history.answersTrueOrFalse()};
   }
   history.keepOnly(asked);
   return example;

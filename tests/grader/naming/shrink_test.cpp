@@ -118,6 +118,20 @@ std::string simplestOf(CallHistory<double(Argument)>& history, const std::functi
   return example ? exampleSentence(*example) : "none";
 }
 
+TEST(Shrink, SaysTrueOrFalseOfAVerdict) {
+  CallHistory<bool(double)> history;
+  history.setOracle([](double m) { return m > 2; });
+  const auto answer = [&history](double m) {
+    history.add(std::make_shared<const std::tuple<double>>(m), {1.0});
+    return true;
+  };
+  history.setOwn(answer);
+  answer(1);
+  const auto example = simplestCounterExample("isHeavy", history, "MUELLE_RANGE(m, 1, 40)\nbool isHeavy(double m);");
+  ASSERT_TRUE(example);
+  EXPECT_EQ(exampleSentence(*example), "isHeavy(1): you return true, it is false");
+}
+
 TEST(Shrink, KeepsDirectionsOfLengthOne) {
   CallHistory<double(const Vec3&)> history;
   const auto product = [](const Vec3& n) { return n[0] * n[1] * n[2]; };
