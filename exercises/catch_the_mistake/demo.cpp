@@ -83,7 +83,7 @@ struct Bars {
 void addBars(muelle::Figure::PanelBuilder panel, const std::vector<Outcome>& outcomes) {
   std::vector<std::string> names;
   Bars caught, takenForRight;
-  double longest = 1;
+  double longest = 10;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     const Outcome& each = outcomes[outcomes.size() - 1 - i];
     const double length = static_cast<double>(each.questions);

@@ -1,4 +1,4 @@
-// loses: GradientValues; misconception: none
+// loses: GradientValues, GradientEdges; misconception: none
 // thought: b has the opposite, as always
 #include "catch_the_mistake.h"
 

@@ -1,5 +1,5 @@
-// loses: DampingValues, DampingDirections, DampingEdges, EveryRightOne, ItThrew; misconception: refuses_all or zero
-// thought: a negative coefficient, which nobody may pass
+// loses: DampingValues, DampingDirections, DampingEdges, EveryRightOne, ItThrew; misconception: none
+// thought: the number by hand has the wrong sign: the mistake is in the test
 #include "catch_the_mistake.h"
 
 struct Examiner {
@@ -78,10 +78,10 @@ bool isDampingRight(const ProjectedDamping& F) {
   const Vec3 zero = Vec3::Zero();
   const Vec3 a(4, -1, 1), b(2, 2, 7), va(1.5, -2, 0.25), vb(-0.5, 1, 2);
   const Vec3 e = Vec3(2, -3, -6) / 7;  // from b to a
-  const double d = -6, size = 100;
+  const double d = 6, size = 100;
   try {
     const Vec3 force = F(a, b, va, vb, d);
-    examiner.expectVector(force, Vec3(-d * (va - vb).dot(e) * e), size);
+    examiner.expectVector(force, Vec3(d * (va - vb).dot(e) * e), size);
     examiner.expectVector(Vec3(F(b, a, vb, va, d)), Vec3(-force), size);            // third law
     examiner.expectVector(Vec3(F(a, b, vb, va, d)), Vec3(-force), size);            // turned round
     examiner.expectVector(Vec3(F(a, b, va + Vec3(3, 4, 5), vb + Vec3(3, 4, 5), d)), force, size);
