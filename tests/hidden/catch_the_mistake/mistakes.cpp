@@ -144,9 +144,8 @@ MUELLE_MISTAKE(isDampingRight, b_at_rest, [](const ProjectedDamping& f) {
     return f(xa, xb, va - vb, Vec3::Zero(), d);
   });
 });
-MUELLE_MISTAKE(isDampingRight, parting_only, damperSeen([](const Vec3& r, const Vec3& va, const Vec3& vb) {
-                 return r.dot(va - vb) >= 0 || r.norm() < near;
-               }));
+MUELLE_MISTAKE(isDampingRight, parting_only,
+               damperSeen([](const Vec3& r, const Vec3& va, const Vec3& vb) { return r.dot(va - vb) >= 0; }));
 MUELLE_MISTAKE(isDampingRight, never_coincident,
                damperSeen([](const Vec3& r, const Vec3&, const Vec3&) { return !r.isZero(0); }));
 MUELLE_MISTAKE(isDampingRight, never_short,

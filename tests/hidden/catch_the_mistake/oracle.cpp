@@ -107,7 +107,7 @@ bool isDampingRight(const ProjectedDamping& f) {
       }
     }
     for (const double L : shortLengths()) {
-      if (!isTrueAt(Vec3::Zero(), L, va, vb, 3)) return false;
+      if (!isTrueAt(Vec3::Zero(), L, vb, va, 3)) return false;
     }
     return isTrueAt(point, 1.3, 2 * axis, -axis, 3) && isTrueAt(point, 0, va, vb, 3);
   });
