@@ -146,7 +146,7 @@ muelle::Figure energies(const muelle::Trajectory& run) {
       .line("elastic", run.t, run.track("elastic energy"))
       .line("of weight", run.t, run.track("energy of weight"))
       .line("total", run.t, run.track("total energy"))
-      .expect(-1.0, 1.0);
+      .expect(-0.5, 0.5);
   return figure;
 }
 

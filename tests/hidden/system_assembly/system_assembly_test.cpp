@@ -525,7 +525,7 @@ TEST(Cost, OfTheMassMatrixIsThreeEntriesANode) {
   MUELLE_PROPERTY("systemMassMatrix stores three entries a node and no zeros beside them");
   MUELLE_EXPECT_ANSWERS(systemMassMatrix);
   Random random = testRandom();
-  for (const int n : {1, 4, 30, 200}) {
+  for (const int n : {1, 4, 40}) {
     const SparseMatrix M = submission::systemMassMatrix(someNumbers(random, n, 0.31, 2.9));
     const auto stored = static_cast<double>(M.nonZeros());
     MUELLE_LABEL(fmt::format("entries that your systemMassMatrix of {} node{} stores", n, n == 1 ? "" : "s"));
