@@ -1,4 +1,4 @@
-// loses: MassMatrix, Momentum; misconception: inverse_mass_matrix
+// loses: MassMatrix, Momentum; misconception: inverse_mass_matrix or mass_multiplied
 // divided by its own matrix, which has 1 / m
 #include "system_assembly.h"
 

@@ -1,4 +1,4 @@
-// loses: TotalGradient, Accelerations, GradientOfTheEnergy, Numbering, Momentum, Cost; misconception: zero
+// loses: TotalGradient, Accelerations, GradientOfTheEnergy, Numbering, Momentum, Cost; misconception: zero or springs_forgotten
 // still as it was handed out
 #include "system_assembly.h"
 
