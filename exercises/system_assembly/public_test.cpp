@@ -19,7 +19,9 @@ const TestFunction<double(const Vec3&, const Vec3&, double, double)> energy(
 
 const TestFunction<Vec6(const Vec3&, const Vec3&, double, double)> gradient(
     "[](const Vec3&, const Vec3&, double k, double) { return Vec6{{-k, -k, -k, k, k, k}}; }",
-    [](const Vec3&, const Vec3&, double k, double) { return Vec6{{-k, -k, -k, k, k, k}}; });
+    [](const Vec3&, const Vec3&, double k, double) {
+      return Vec6{{-k, -k, -k, k, k, k}};
+    });
 
 const VecX x{{0, 0, 0, 2, 0, 0, 2, 3, 0}};
 const VecX m{{1, 2, 4}};

@@ -12,7 +12,8 @@
 /// SI units throughout: positions [m], masses [kg], energies [J], gradients and forces [N], accelerations [m/s^2].
 ///
 /// What holds for every function below:
-///  - x has 3n numbers and m has n, for 1 to 200 nodes. There are 0 to 600 springs; several may join the same two nodes,
+///  - x has 3n numbers and m has n, for 1 to 200 nodes. There are 0 to 600 springs; several may join the same two
+///  nodes,
 ///    and a node may have any number of them, or none.
 ///  - A spring joins two different nodes, a and b, from 0 to n - 1; either may be the larger. Its k and L0 are handed
 ///    on: k is from 1e-3 to 1e9 N/m, L0 from 0 to 1000 m. Masses are from 1e-6 to 1e6 kg. Nothing else is passed, so
@@ -26,10 +27,10 @@
 
 #include <Eigen/SparseCore>
 
-MUELLE_RANGE(springs, 0, 600)
-MUELLE_RANGE(k, 1e-3, 1e9)
-MUELLE_RANGE(L0, 0, 1000)
-MUELLE_RANGE(m, 1e-6, 1e6)
+MUELLE_RANGE(springs, 0, 600)  // number of springs
+MUELLE_RANGE(k, 1e-3, 1e9)     // stiffness [N/m]
+MUELLE_RANGE(L0, 0, 1000)      // rest length [m]
+MUELLE_RANGE(m, 1e-6, 1e6)     // masses [kg]
 
 using muelle::Vec3;
 using muelle::Vec6;

@@ -63,14 +63,13 @@ Vec6 hookesGradient(const Vec3& xa, const Vec3& xb, double k, double L0) {
 }  // namespace
 
 /// A sum over the springs s of what `each` says. A question that the oracle refuses throws.
-#define ENERGY_MISTAKE(id, ...)                                                            \
-  MUELLE_MISTAKE(systemEnergy, id,                                                         \
-                 [](const VecX& x, const Springs& springs, const SpringEnergy& energy) {   \
-                   (void)energy;                                                           \
-                   double E = 0;                                                           \
-                   for (const Spring& s : springs) __VA_ARGS__;                            \
-                   return E;                                                               \
-                 })
+#define ENERGY_MISTAKE(id, ...)                                                                            \
+  MUELLE_MISTAKE(systemEnergy, id, [](const VecX& x, const Springs& springs, const SpringEnergy& energy) { \
+    (void)energy;                                                                                          \
+    double E = 0;                                                                                          \
+    for (const Spring& s : springs) __VA_ARGS__;                                                           \
+    return E;                                                                                              \
+  })
 
 ENERGY_MISTAKE(nodes_exchanged, E += energy(node(x, s.b), node(x, s.a), s.k, s.L0));
 ENERGY_MISTAKE(numbers_exchanged, E += energy(node(x, s.a), node(x, s.b), s.L0, s.k));
@@ -82,21 +81,19 @@ MUELLE_COMMON_MISTAKE(systemEnergy, doubled);
 // --- gradient -------------------------------------------------------------------------------------------------------
 
 /// For each spring s, something is done with its gradient g, and the blocks toA and toB of its nodes.
-#define GRADIENT_MISTAKE(id, ...)                                                                            \
-  MUELLE_MISTAKE(systemGradient, id,                                                                         \
-                 [](const VecX& x, const Springs& springs, const SpringGradient& gradient) {                 \
-                   VecX total = VecX::Zero(x.size());                                                        \
-                   for (const Spring& s : springs) {                                                         \
-                     [[maybe_unused]] const Vec6 g = gradient(node(x, s.a), node(x, s.b), s.k, s.L0);        \
-                     [[maybe_unused]] auto toA = total.segment<3>(3 * s.a), toB = total.segment<3>(3 * s.b); \
-                     __VA_ARGS__;                                                                            \
-                   }                                                                                         \
-                   return total;                                                                             \
-                 })
+#define GRADIENT_MISTAKE(id, ...)                                                                                \
+  MUELLE_MISTAKE(systemGradient, id, [](const VecX& x, const Springs& springs, const SpringGradient& gradient) { \
+    VecX total = VecX::Zero(x.size());                                                                           \
+    for (const Spring& s : springs) {                                                                            \
+      [[maybe_unused]] const Vec6 g = gradient(node(x, s.a), node(x, s.b), s.k, s.L0);                           \
+      [[maybe_unused]] auto toA = total.segment<3>(3 * s.a), toB = total.segment<3>(3 * s.b);                    \
+      __VA_ARGS__;                                                                                               \
+    }                                                                                                            \
+    return total;                                                                                                \
+  })
 /// The halves of another vector are added.
-#define ADDED_GRADIENT_MISTAKE(id, ...)             \
-  GRADIENT_MISTAKE(id, const Vec6 h = __VA_ARGS__; \
-                   toA += h.head<3>(); toB += h.tail<3>())
+#define ADDED_GRADIENT_MISTAKE(id, ...) \
+  GRADIENT_MISTAKE(id, const Vec6 h = __VA_ARGS__; toA += h.head<3>(); toB += h.tail<3>())
 
 MUELLE_COMMON_MISTAKE(systemGradient, wrong_sign);
 GRADIENT_MISTAKE(second_node_forgotten, toA += g.head<3>());
@@ -125,13 +122,13 @@ VecX spread(const VecX& m) {
 }  // namespace
 
 /// With the right gradient g and the masses M of all components.
-#define ACCELERATION_MISTAKE(id, ...)                                                                             \
-  MUELLE_MISTAKE(systemAccelerations, id,                                                                         \
-                 [](const VecX& x, [[maybe_unused]] const VecX& m, const Springs& springs,                        \
-                    const SpringGradient& gradient, [[maybe_unused]] const VecX& F) -> VecX {                     \
-                   const VecX g = oracle::systemGradient(x, springs, gradient);                                   \
-                   [[maybe_unused]] const VecX M = spread(m);                                                     \
-                   return __VA_ARGS__;                                                                            \
+#define ACCELERATION_MISTAKE(id, ...)                                                         \
+  MUELLE_MISTAKE(systemAccelerations, id,                                                     \
+                 [](const VecX& x, [[maybe_unused]] const VecX& m, const Springs& springs,    \
+                    const SpringGradient& gradient, [[maybe_unused]] const VecX& F) -> VecX { \
+                   const VecX g = oracle::systemGradient(x, springs, gradient);               \
+                   [[maybe_unused]] const VecX M = spread(m);                                 \
+                   return __VA_ARGS__;                                                        \
                  })
 
 ACCELERATION_MISTAKE(uphill, (F + g).cwiseQuotient(M));

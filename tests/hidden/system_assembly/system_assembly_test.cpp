@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 
 using muelle::MatX;
@@ -64,17 +65,16 @@ Law lopsided() {
 
 /// k (L^2 - L0^2)^2 / 8, whose halves are opposite.
 Law opposite() {
-  return {
-      {"[](const Vec3& xa, const Vec3& xb, double k, double L0) { return k / 8 * "
-       "std::pow((xa - xb).squaredNorm() - L0 * L0, 2); }",
-       [](const Vec3& xa, const Vec3& xb, double k, double L0) {
-         return k / 8 * std::pow((xa - xb).squaredNorm() - L0 * L0, 2);
-       }},
-      {"[](const Vec3& xa, const Vec3& xb, double k, double L0) { Vec6 g; g << xa - xb, xb - xa; "
-       "return Vec6(k / 2 * ((xa - xb).squaredNorm() - L0 * L0) * g); }",
-       [](const Vec3& xa, const Vec3& xb, double k, double L0) {
-         return Vec6(k / 2 * ((xa - xb).squaredNorm() - L0 * L0) * stacked(xa - xb, xb - xa));
-       }}};
+  return {{"[](const Vec3& xa, const Vec3& xb, double k, double L0) { return k / 8 * "
+           "std::pow((xa - xb).squaredNorm() - L0 * L0, 2); }",
+           [](const Vec3& xa, const Vec3& xb, double k, double L0) {
+             return k / 8 * std::pow((xa - xb).squaredNorm() - L0 * L0, 2);
+           }},
+          {"[](const Vec3& xa, const Vec3& xb, double k, double L0) { Vec6 g; g << xa - xb, xb - xa; "
+           "return Vec6(k / 2 * ((xa - xb).squaredNorm() - L0 * L0) * g); }",
+           [](const Vec3& xa, const Vec3& xb, double k, double L0) {
+             return Vec6(k / 2 * ((xa - xb).squaredNorm() - L0 * L0) * stacked(xa - xb, xb - xa));
+           }}};
 }
 
 /// The lecture's springs, which the reference simulator knows, too.
@@ -331,16 +331,16 @@ namespace {
 
 void expectAccelerations(const System& system, const Law& law) {
   const double force = gradientSizes(system, law.gradient) + system.F.cwiseAbs().maxCoeff();
-  EXPECT_VECTOR_NEAR(
-      submission::systemAccelerations(system.x, system.m, system.springs, law.gradient, system.F),
-      oracle::systemAccelerations(system.x, system.m, system.springs, law.gradient, system.F),
-      inRounding(force / system.m.minCoeff()));
+  EXPECT_VECTOR_NEAR(submission::systemAccelerations(system.x, system.m, system.springs, law.gradient, system.F),
+                     oracle::systemAccelerations(system.x, system.m, system.springs, law.gradient, system.F),
+                     inRounding(force / system.m.minCoeff()));
 }
 
 }  // namespace
 
 TEST(Accelerations, SolveNewtonsLaw) {
-  MUELLE_PROPERTY("the mass of each node times its acceleration is minus its part of the gradient plus the other force");
+  MUELLE_PROPERTY(
+      "the mass of each node times its acceleration is minus its part of the gradient plus the other force");
   for (const System& system : someSystems()) expectAccelerations(system, lopsided());
 }
 
@@ -444,7 +444,8 @@ TEST(Numbering, LeavesTheEnergy) {
 }
 
 TEST(Numbering, MovesTheBlocksOfTheGradient) {
-  MUELLE_PROPERTY("with other numbers of the nodes and the springs in another order, systemGradient has the same blocks");
+  MUELLE_PROPERTY(
+      "with other numbers of the nodes and the springs in another order, systemGradient has the same blocks");
   MUELLE_EXPECT_ANSWERS(systemGradient);
   for (const System& system : systemsToRename()) {
     const System other = renamed(system);
@@ -473,7 +474,8 @@ Vec3 sumOfBlocks(const VecX& stackedVectors) {
 }  // namespace
 
 TEST(Momentum, ChangesByTheOtherForcesAlone) {
-  MUELLE_PROPERTY("springs whose halves are opposite add nothing to the sum of the masses times the accelerations");
+  MUELLE_PROPERTY(
+      "the masses times the accelerations add up to the sum of the other forces: opposite halves of springs cancel");
   MUELLE_EXPECT_ANSWERS(systemGradient);
   MUELLE_EXPECT_ANSWERS(systemAccelerations);
   Random random = testRandom();
@@ -538,8 +540,7 @@ TEST(Cost, OfTheEnergyIsOneQuestionASpring) {
   MUELLE_EXPECT_ANSWERS(systemEnergy);
   for (const System& system : growingSystems()) {
     const Law law = opposite();
-    const double asked =
-        questions(law.energy, [&] { submission::systemEnergy(system.x, system.springs, law.energy); });
+    const double asked = questions(law.energy, [&] { submission::systemEnergy(system.x, system.springs, law.energy); });
     expectQuestions("systemEnergy", "energy", system, asked, static_cast<double>(system.springs.size()));
   }
 }
