@@ -16,7 +16,7 @@ bool MatrixRow::exact() const {
 
 bool Mutant::asStated() const {
   if (!trouble.empty()) return false;
-  return reason.empty() ? fate != Fate::Survived : fate == Fate::Survived;
+  return fate == Fate::Survived ? !whySurvives().empty() : reason.empty();
 }
 
 bool TopicMatrix::good() const {
@@ -53,7 +53,7 @@ void count(const Mutant& mutant, MatrixSummary& sum) {
       ++sum.notCompilable;
       break;
     case Mutant::Fate::Survived:
-      ++(mutant.reason.empty() ? sum.survivedWithout : sum.survivedWithReason);
+      ++(mutant.whySurvives().empty() ? sum.survivedWithout : sum.survivedWithReason);
       break;
   }
   if (mutant.fate != Mutant::Fate::Survived && !mutant.reason.empty()) ++sum.staleSurvivors;

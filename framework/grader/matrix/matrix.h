@@ -48,9 +48,12 @@ struct Mutant {
   Fate fate = Fate::Survived;
   std::string killer;   ///< the suite that failed first
   std::string reason;   ///< of mutants.toml; "" when it is not listed
+  std::string excuse;   ///< of mutants.toml for any that survives; "" when there is none
   std::string trouble;  ///< a fault of the grader's; "" when it was graded
 
-  /// Killed and not listed, or listed and survived.
+  /// Why it may survive; "" when nothing says so.
+  const std::string& whySurvives() const { return reason.empty() ? excuse : reason; }
+  /// Killed and not listed, or survived with a reason.
   bool asStated() const;
 };
 

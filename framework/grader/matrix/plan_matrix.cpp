@@ -76,11 +76,13 @@ class Planner {
   void addMutants(int every) {
     const fs::path file = submissions() / "mutants.toml";
     std::vector<Survivor> survivors = readSurvivors(file, shown(file));
+    const std::string excuse = reasonForAny(file, shown(file));
     const std::string& name = manifest_.files.front();
     int number = 0;
     for (const Mutation& mutation : mutations(readFile(solution() / name))) {
       Mutant mutant;
       mutant.mutation = mutation;
+      mutant.excuse = excuse;
       const auto listed = std::find_if(survivors.begin(), survivors.end(),
                                        [&mutation](const Survivor& survivor) { return survivor.matches(mutation); });
       if (listed != survivors.end()) {

@@ -27,6 +27,11 @@ struct Survivor {
 /// \param shown the file's name in messages
 std::vector<Survivor> readSurvivors(const std::filesystem::path& file, const std::string& shown);
 
+/// What such a file says of every mutation that survives, in place of entries: `any = "..."`. For an exercise whose
+/// answer is free (tests that the student writes), where a mutation that no test objects to is another right answer. ""
+/// where it says nothing.
+std::string reasonForAny(const std::filesystem::path& file, const std::string& shown);
+
 /// The entry to paste for a mutation that survives, without its reason.
 std::string survivorEntry(const Mutation& mutation);
 

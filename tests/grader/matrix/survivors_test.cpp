@@ -14,6 +14,7 @@ using muelle::writeFile;
 using muelle::grader::Mutation;
 using muelle::grader::mutations;
 using muelle::grader::readSurvivors;
+using muelle::grader::reasonForAny;
 using muelle::grader::Survivor;
 
 class SurvivorList : public ::testing::Test {
@@ -23,6 +24,11 @@ class SurvivorList : public ::testing::Test {
   std::vector<Survivor> read(const std::string& content) {
     writeFile(file_, content);
     return readSurvivors(file_, "mutants.toml");
+  }
+
+  std::string reason(const std::string& content) {
+    writeFile(file_, content);
+    return reasonForAny(file_, "mutants.toml");
   }
 
   std::string complaint(const std::string& content) {
@@ -54,6 +60,13 @@ TEST_F(SurvivorList, FindsItsMutationAgain) {
 }
 
 TEST_F(SurvivorList, OfNoFileIsEmpty) { EXPECT_TRUE(readSurvivors("/nowhere/mutants.toml", "mutants.toml").empty()); }
+
+TEST_F(SurvivorList, MayHaveOneReasonForAny) {
+  EXPECT_TRUE(read("any = 'another right answer'\n").empty());
+  EXPECT_EQ(reason("any = 'another right answer'\n"), "another right answer");
+  EXPECT_EQ(reason("[[survivor]]\nline = 'a'\nmutation = 'b'\nreason = 'c'\n"), "");
+  EXPECT_EQ(reasonForAny("/nowhere/mutants.toml", "mutants.toml"), "");
+}
 
 TEST_F(SurvivorList, NeedsAReason) {
   EXPECT_EQ(complaint("[[survivor]]\nline = 'a'\nmutation = 'b'\n"),
