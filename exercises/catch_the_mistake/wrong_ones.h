@@ -4,10 +4,10 @@
 /// for the earlier exercises.
 
 #include "catch_the_mistake.h"
+#include "course/testing/test_function.h"
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -31,8 +31,9 @@ inline std::vector<Wrong<SpringForce>> wrongForces() {
           {"towards the origin", [](double xa, double, double k, double) { return -k * xa; }},
           {"no number when compressed",
            [=](double xa, double xb, double k, double L0) { return std::abs(xa - xb) < L0 ? nan : k * xb - k * xa; }},
-          {"throws an exception",
-           [](double, double, double, double) -> double { throw std::runtime_error("this implementation throws"); }}};
+          {"throws an exception", [](double, double, double, double) -> double {
+             throw muelle::ThrownToAsker("this implementation throws");
+           }}};
 }
 
 inline std::vector<Wrong<EnergyWithGradient>> wrongGradients() {
@@ -42,7 +43,7 @@ inline std::vector<Wrong<EnergyWithGradient>> wrongGradients() {
   const SpringEnergy toOrigin = [](const Vec6& x, double k, double) { return k * x.dot(x); };
   const EnergyGradient fromOrigin = [](const Vec6& x, double k, double) { return Vec6(2 * k * x); };
   const EnergyGradient fails = [](const Vec6&, double, double) -> Vec6 {
-    throw std::runtime_error("this implementation throws");
+    throw muelle::ThrownToAsker("this implementation throws");
   };
   return {{"zero, with its gradient", {none, flat}},
           {"the same everywhere, with its gradient", {same, flat}},
@@ -58,6 +59,6 @@ inline std::vector<Wrong<ProjectedDamping>> wrongDampings() {
           {"along the velocity of b", [](Points, Points, Points, Points vb, double d) { return Vec3(d * vb); }},
           {"a spring, no damper", [](Points xa, Points xb, Points, Points, double d) { return Vec3(d * xb - d * xa); }},
           {"throws an exception", [](Points, Points, Points, Points, double) -> Vec3 {
-             throw std::runtime_error("this implementation throws");
+             throw muelle::ThrownToAsker("this implementation throws");
            }}};
 }

@@ -92,8 +92,8 @@ TEST_F(Record, KeepsWhatAuthorsCompare) {
 TEST_F(Record, OfAnotherVersionIsAsIfAbsent) {
   const Verdict v = verdict("HookeForce", 1, 0);
   EXPECT_TRUE(travelled(v).has_value());
-  EXPECT_FALSE(tampered(v, "\"version\": 7", "\"version\": 1"));
-  EXPECT_FALSE(tampered(v, "\"version\": 7", "\"release\": 7"));
+  EXPECT_FALSE(tampered(v, "\"version\": 8", "\"version\": 1"));
+  EXPECT_FALSE(tampered(v, "\"version\": 8", "\"release\": 7"));
   EXPECT_FALSE(tampered(v, "\"outcome\": \"passed\"", "\"outcome\": \"splendid\""));
 }
 
