@@ -7,6 +7,7 @@
 #include "surroundings.h"
 
 #include "base/build_paths.h"
+#include "grader/built_exercises.h"
 #include "grader/matrix/corpus_share.h"
 #include "support/manifest_of.h"
 
@@ -25,9 +26,10 @@ fs::path corpus() { return fs::path(build_paths::source) / "tests" / "submission
 
 std::vector<std::string> attacks() {
   const CorpusShare share(corpus().parent_path(), shareOfEnvironment());
+  const BuiltExercises built(Workplace::ofThisBuild());
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(corpus())) {
-    if (share.takes(entry.path())) names.push_back(entry.path().filename());
+    if (share.takes(entry.path()) && built.haveOneOf(entry.path())) names.push_back(entry.path().filename());
   }
   std::sort(names.begin(), names.end());
   return names;

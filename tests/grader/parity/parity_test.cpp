@@ -11,6 +11,7 @@
 #include "base/build_paths.h"
 #include "base/file.h"
 #include "base/process/child.h"
+#include "grader/built_exercises.h"
 #include "grader/matrix/corpus_share.h"
 #include "grader/run/grade.h"
 #include "support/manifest_of.h"
@@ -59,12 +60,6 @@ Workplace workplaceOfPublicTests() {
   return workplace;
 }
 
-/// Whether this build has the exercise: it may have been configured for some alone.
-bool isBuilt(const fs::path& folder) {
-  const std::string topic = manifestOf(folder, source / "exercises").topic;
-  return fs::exists(workplaceOfPublicTests().hiddenProgram(topic));
-}
-
 std::vector<fs::path> submissions() {
   const fs::path corpus = source / "tests" / "submissions";
   const CorpusShare taken(corpus, share());
@@ -77,7 +72,8 @@ std::vector<fs::path> submissions() {
   }
   const std::vector<fs::path> solutions = submissionsIn(source / "solutions");
   for (std::size_t i = 0; i < solutions.size(); i += share() == 1 ? 1 : 4) folders.push_back(solutions[i]);
-  std::erase_if(folders, [](const fs::path& folder) { return !isBuilt(folder); });
+  const BuiltExercises built(workplaceOfPublicTests());
+  std::erase_if(folders, [&built](const fs::path& folder) { return !built.haveOneOf(folder); });
   return folders;
 }
 
