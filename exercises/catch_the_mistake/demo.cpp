@@ -40,32 +40,33 @@ Outcome outcomeOf(const std::string& name, const Verdict& isTakenForRight) {
   }
 }
 
-std::vector<Outcome> forces() {
+/// \param isTakenForRight verdict on one of them, whose questions are counted
+template <class Implementation, class Verdict>
+std::vector<Outcome> outcomesOf(const std::vector<Wrong<Implementation>>& all, const Verdict& isTakenForRight) {
   std::vector<Outcome> outcomes;
-  for (const auto& [name, force] : wrongForces()) {
-    outcomes.push_back(outcomeOf(
-        name, [&given = force](const Count& count) { return submission::isSpringForceRight(counted(count, given)); }));
+  for (const Wrong<Implementation>& wrong : all) {
+    outcomes.push_back(
+        outcomeOf(wrong.name, [&](const Count& count) { return isTakenForRight(count, wrong.implementation); }));
   }
   return outcomes;
+}
+
+std::vector<Outcome> forces() {
+  return outcomesOf(wrongForces(), [](const Count& count, const SpringForce& given) {
+    return submission::isSpringForceRight(counted(count, given));
+  });
 }
 
 std::vector<Outcome> gradients() {
-  std::vector<Outcome> outcomes;
-  for (const auto& [name, pair] : wrongGradients()) {
-    outcomes.push_back(outcomeOf(name, [&given = pair](const Count& count) {
-      return submission::isGradientRight(counted(count, given.springEnergy), counted(count, given.energyGradient));
-    }));
-  }
-  return outcomes;
+  return outcomesOf(wrongGradients(), [](const Count& count, const EnergyWithGradient& given) {
+    return submission::isGradientRight(counted(count, given.springEnergy), counted(count, given.energyGradient));
+  });
 }
 
 std::vector<Outcome> dampings() {
-  std::vector<Outcome> outcomes;
-  for (const auto& [name, damping] : wrongDampings()) {
-    outcomes.push_back(outcomeOf(
-        name, [&given = damping](const Count& count) { return submission::isDampingRight(counted(count, given)); }));
-  }
-  return outcomes;
+  return outcomesOf(wrongDampings(), [](const Count& count, const ProjectedDamping& given) {
+    return submission::isDampingRight(counted(count, given));
+  });
 }
 
 /// Bars that share a name and a colour.

@@ -18,6 +18,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
 #include <functional>
 #include <stdexcept>
 
@@ -149,10 +150,18 @@ class Builder {
   /// The first file of ours that the program needs and the build has not made, else empty: nobody's file is to blame.
   fs::path missingPart() const {
     if (!fs::exists(parts_)) return parts_;
+    const std::vector<fs::path> parts = fileParts();
+    const auto missing = std::ranges::find_if(parts, [](const fs::path& part) { return !fs::exists(part); });
+    return missing == parts.end() ? fs::path() : *missing;
+  }
+
+  /// The files of ours that the program is linked with.
+  std::vector<fs::path> fileParts() const {
+    std::vector<fs::path> files;
     for (const std::string& word : readParts(readFile(parts_))) {
-      if (!word.starts_with("-") && !fs::exists(word)) return word;
+      if (!word.starts_with("-")) files.emplace_back(word);
     }
-    return {};
+    return files;
   }
 
   /// As the grader's intake reads it: what is no text, or too much of it, is refused before it meets the compiler.
@@ -215,9 +224,7 @@ class Builder {
     files.push_back(contract_);
     files.push_back(fs::path(build_paths::prelude) / "prelude.h.gch");
     files.push_back(parts_);
-    for (const std::string& word : readParts(readFile(parts_))) {
-      if (!word.starts_with("-")) files.emplace_back(word);
-    }
+    for (fs::path& part : fileParts()) files.push_back(std::move(part));
     return files;
   }
 

@@ -75,8 +75,7 @@ class Planner {
 
   void addMutants(int every) {
     const fs::path file = submissions() / "mutants.toml";
-    std::vector<Survivor> survivors = readSurvivors(file, shown(file));
-    const std::string excuse = reasonForAny(file, shown(file));
+    auto [survivors, excuse] = readSurvivors(file, shown(file));
     const std::string& name = manifest_.files.front();
     int number = 0;
     for (const Mutation& mutation : mutations(readFile(solution() / name))) {

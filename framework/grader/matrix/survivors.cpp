@@ -21,21 +21,15 @@ bool Survivor::matches(const Mutation& other) const {
   return lineText == other.lineText && mutation == other.text() && occurrence == other.occurrence;
 }
 
-std::vector<Survivor> readSurvivors(const std::filesystem::path& file, const std::string& shown) {
+Survivors readSurvivors(const std::filesystem::path& file, const std::string& shown) {
   if (!std::filesystem::exists(file)) return {};
   const TomlValue root = readToml(file, shownPath(file));
   const TomlTable document(root, shown, "the list of survivors");
   document.checkKeys({"survivor", "any"}, {});
-  std::vector<Survivor> survivors;
-  for (const TomlTable& table : document.tables("survivor")) survivors.push_back(readSurvivor(table));
+  Survivors survivors;
+  survivors.any = document.text("any", "");
+  for (const TomlTable& table : document.tables("survivor")) survivors.listed.push_back(readSurvivor(table));
   return survivors;
-}
-
-std::string reasonForAny(const std::filesystem::path& file, const std::string& shown) {
-  if (!std::filesystem::exists(file)) return "";
-  const TomlValue root = readToml(file, shownPath(file));
-  const TomlTable document(root, shown, "the list of survivors");
-  return document.has("any") ? document.text("any") : "";
 }
 
 std::string survivorEntry(const Mutation& mutation) {

@@ -15,7 +15,17 @@ struct Survivor {
   bool matches(const Mutation& mutation) const;
 };
 
+/// What an exercise's mutants.toml says.
+struct Survivors {
+  std::vector<Survivor> listed;
+  /// Why any other mutation may survive, "" when none may. For an exercise whose answer is free (tests that the student
+  /// writes), where a mutation that no test objects to is another right answer.
+  std::string any;
+};
+
 /// Reads tests/submissions/TOPIC/mutants.toml:
+///
+///     any = "another right test"    # may be left out
 ///
 ///     [[survivor]]
 ///     line = "if (depth <= 0.0) return Vec3::Zero();"
@@ -25,12 +35,7 @@ struct Survivor {
 ///
 /// No file, no survivors. Throws std::runtime_error with file, line and key.
 /// \param shown the file's name in messages
-std::vector<Survivor> readSurvivors(const std::filesystem::path& file, const std::string& shown);
-
-/// What such a file says of every mutation that survives, in place of entries: `any = "..."`. For an exercise whose
-/// answer is free (tests that the student writes), where a mutation that no test objects to is another right answer. ""
-/// where it says nothing.
-std::string reasonForAny(const std::filesystem::path& file, const std::string& shown);
+Survivors readSurvivors(const std::filesystem::path& file, const std::string& shown);
 
 /// The entry to paste for a mutation that survives, without its reason.
 std::string survivorEntry(const Mutation& mutation);

@@ -14,7 +14,6 @@ using muelle::writeFile;
 using muelle::grader::Mutation;
 using muelle::grader::mutations;
 using muelle::grader::readSurvivors;
-using muelle::grader::reasonForAny;
 using muelle::grader::Survivor;
 
 class SurvivorList : public ::testing::Test {
@@ -23,12 +22,12 @@ class SurvivorList : public ::testing::Test {
 
   std::vector<Survivor> read(const std::string& content) {
     writeFile(file_, content);
-    return readSurvivors(file_, "mutants.toml");
+    return readSurvivors(file_, "mutants.toml").listed;
   }
 
   std::string reason(const std::string& content) {
     writeFile(file_, content);
-    return reasonForAny(file_, "mutants.toml");
+    return readSurvivors(file_, "mutants.toml").any;
   }
 
   std::string complaint(const std::string& content) {
@@ -59,13 +58,15 @@ TEST_F(SurvivorList, FindsItsMutationAgain) {
   EXPECT_EQ(survivors[0].reason, "a length is never negative");
 }
 
-TEST_F(SurvivorList, OfNoFileIsEmpty) { EXPECT_TRUE(readSurvivors("/nowhere/mutants.toml", "mutants.toml").empty()); }
+TEST_F(SurvivorList, OfNoFileIsEmpty) {
+  EXPECT_TRUE(readSurvivors("/nowhere/mutants.toml", "mutants.toml").listed.empty());
+}
 
 TEST_F(SurvivorList, MayHaveOneReasonForAny) {
   EXPECT_TRUE(read("any = 'another right answer'\n").empty());
   EXPECT_EQ(reason("any = 'another right answer'\n"), "another right answer");
   EXPECT_EQ(reason("[[survivor]]\nline = 'a'\nmutation = 'b'\nreason = 'c'\n"), "");
-  EXPECT_EQ(reasonForAny("/nowhere/mutants.toml", "mutants.toml"), "");
+  EXPECT_EQ(readSurvivors("/nowhere/mutants.toml", "mutants.toml").any, "");
 }
 
 TEST_F(SurvivorList, NeedsAReason) {
