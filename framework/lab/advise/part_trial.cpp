@@ -94,8 +94,9 @@ class Trials {
       return trial;
     }
     const Pilots pilots(rest, *system);
-    const double cap = std::min(clock_.left(), std::max(0.2, 5.0 * reference_.run.seconds));
-    const PilotRun run = pilots.run(reference_.run.setting, {.seconds = cap, .isReference = true});
+    const PilotRun run = pilots.run(
+        reference_.run.setting,
+        {.seconds = clock_.left(), .ofProcessor = std::max(0.2, 5.0 * reference_.run.seconds), .isReference = true});
     if (!run.done()) {
       trial.why = "without it: " + run.failure;
       return trial;

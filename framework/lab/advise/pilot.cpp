@@ -27,10 +27,14 @@ constexpr double mostNumbers = 2e6;     // of all rows of a run: 16 MB
 constexpr double mostOftenLooks = 1000.0;
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// Asks the clock rarely where steps are short.
+/// Asks the clocks rarely where steps are short.
 class Deadline {
  public:
-  explicit Deadline(double seconds) : seconds_(seconds), begin_(Clock::now()), last_(begin_) {}
+  explicit Deadline(const PilotLimits& limits)
+      : seconds_(limits.seconds),
+        ofProcessor_(bench::processorTime() + limits.ofProcessor),
+        begin_(Clock::now()),
+        last_(begin_) {}
 
   bool passed() {
     if (++calls_ < stride_) return false;
@@ -38,12 +42,12 @@ class Deadline {
     const Clock::time_point now = Clock::now();
     if (std::chrono::duration<double>(now - last_).count() < 1e-3) stride_ = std::min(2 * stride_, 1024);
     last_ = now;
-    return std::chrono::duration<double>(now - begin_).count() > seconds_;
+    return std::chrono::duration<double>(now - begin_).count() > seconds_ || bench::processorTime() > ofProcessor_;
   }
 
  private:
   using Clock = std::chrono::steady_clock;
-  double seconds_;
+  double seconds_, ofProcessor_;
   Clock::time_point begin_, last_;
   int calls_ = 0, stride_ = 1;
 };
@@ -252,7 +256,7 @@ void Pilots::follow(const StepOptions& options, const std::vector<double>& looks
   if (watches) gaps.see(simulation.state(), 0.0);
   run.startGap = run.leastGap;
   if (limits.isReference) run.states.push_back(simulation.state());
-  Deadline deadline(limits.seconds);
+  Deadline deadline(limits);
   for (Advance advance = simulation.advance(); advance.goesOn(); advance = simulation.advance()) {
     if (limits.isReference) {
       const ErrorScale size = frame.sizeAt(system_, simulation.state());

@@ -38,6 +38,8 @@ class Looks {
 /// Until when a run may go on.
 struct PilotLimits {
   double seconds = std::numeric_limits<double>::infinity();  ///< of the clock on the wall
+  double ofProcessor =
+      std::numeric_limits<double>::infinity();  ///< [s]: waiting on a busy machine is no fault of a run
   bool isReference = false;      ///< looked at at all times, at ends of steps; motion, states and gaps are kept
   bool watchesGaps = false;      ///< gaps are kept
   bool looksOften = false;       ///< at every end of a step or every output of the scene, a thousand of them

@@ -72,6 +72,9 @@ TEST(Pilots, ARunThatTakesTooLongIsGivenUp) {
   EXPECT_TRUE(run.outOfTime);
   EXPECT_FALSE(run.done());
   EXPECT_GT(run.reached, 0.0);
+  const PilotRun costly = Pilots(scene, *system).run({"velocity_verlet", true, 1e-4}, {.ofProcessor = 0.02});
+  EXPECT_TRUE(costly.outOfTime);
+  EXPECT_GT(costly.seconds, 0.02);
 }
 
 /// A ball that falls from 1 m touches the ground after sqrt(2 / g) s; a second obstacle, 1 m above, keeps its gap but
