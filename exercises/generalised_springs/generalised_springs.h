@@ -11,12 +11,10 @@
 ///
 /// What holds for every function below:
 ///  - Stiffnesses are from 1e-3 to 1e9, rest angles theta0 from 0 to 3.14159 rad, rest areas A0 from 0 to 1000 m^2,
-///  rest
-///    volumes V0 from -1000 to 1000 m^3; a coordinate is at most 100 m in size. Nothing else is passed, so nothing else
-///    needs a check.
-///  - Numbers are double, and derivatives are formulas: exact to round-off. That holds for angles near 0 and near pi
-///  too,
-///    where an arc cosine has lost half of its digits: use std::atan2.
+///    rest volumes V0 from -1000 to 1000 m^3; a coordinate is at most 100 m in size. Nothing else is passed, so nothing
+///    else needs a check.
+///  - Numbers are double, and derivatives are formulas: exact to round-off. That holds for angles near 0 and near pi,
+///    too, where an arc cosine has lost half of its digits: use std::atan2.
 ///  - Three nodes on one line have no plane: the angle (0, or pi where the line folds back) and the area (0) have no
 ///    gradient there, and the force is zero, never NaN. The energy is as usual.
 ///  - Where two successive nodes of a bending spring coincide there is no angle either: energy and force are zero.
@@ -48,8 +46,10 @@ double bendingAngle(const Vec9& x);
 double bendingEnergy(const Vec9& x, double theta0, double kb);
 
 /// Forces [N] of a bending spring on its three nodes, stacked as x is: minus the gradient of bendingEnergy; zero where
-/// the nodes lie on one line. \param x       (x0, x1, x2) stacked [m] \param theta0  angle at rest [rad] \param kb
-/// stiffness [J/rad^2]
+/// the nodes lie on one line.
+/// \param x       (x0, x1, x2) stacked [m]
+/// \param theta0  angle at rest [rad]
+/// \param kb      stiffness [J/rad^2]
 Vec9 bendingForce(const Vec9& x, double theta0, double kb);
 
 /// Area [m^2] of the triangle x0, x1, x2: never negative.
@@ -63,12 +63,15 @@ double triangleArea(const Vec9& x);
 double areaEnergy(const Vec9& x, double A0, double kA);
 
 /// Forces [N] of an area spring on its three nodes, stacked as x is: minus the gradient of areaEnergy; zero where the
-/// nodes lie on one line. \param x   (x0, x1, x2) stacked [m] \param A0  area at rest [m^2] \param kA  stiffness
-/// [N/m^3]
+/// nodes lie on one line.
+/// \param x   (x0, x1, x2) stacked [m]
+/// \param A0  area at rest [m^2]
+/// \param kA  stiffness [N/m^3]
 Vec9 areaForce(const Vec9& x, double A0, double kA);
 
 /// Signed volume [m^3] of the tetrahedron x0, x1, x2, x3: positive where x1 - x0, x2 - x0, x3 - x0 are turned as the
-/// axes x, y, z are, negative where it is inverted. \param x  (x0, x1, x2, x3) stacked [m]
+/// axes x, y, z are, negative where it is inverted.
+/// \param x  (x0, x1, x2, x3) stacked [m]
 double tetrahedronVolume(const Vec12& x);
 
 /// Energy [J] of a volume spring: 1/2 kV (volume - V0)^2.

@@ -369,8 +369,7 @@ TEST(VolumeForce, HoldsForEveryStiffnessAndVolume) {
   expectVolumeForce({stacked(Vec3(0, 0, 0), Vec3(1.3, 0, 0), Vec3(0, 0.7, 0), Vec3(0.9, 0.8, 0)), 0.31, 47.0});
 }
 
-// --- laws: the student's own energies and forces
-// ----------------------------------------------------------------------
+// --- laws: the student's own energies and forces --------------------------------------------------------------------
 
 namespace {
 
@@ -451,8 +450,9 @@ TEST(MinusTheGradient, OfTheVolumeEnergy) {
   MUELLE_EXPECT_ANSWERS(volumeEnergy);
   MUELLE_EXPECT_ANSWERS(volumeForce);
   Random random = testRandom();
-  for (int turn = 0; turn < 4; ++turn) {
-    const Four c = anyTetrahedron(random, turn);
+  for (int turn = 0; turn < 6; ++turn) {
+    Four c = anyTetrahedron(random, turn);
+    if (turn >= 4) c.rest = -c.rest;  // turned inside out
     MUELLE_LABEL("minus the slope of your volumeEnergy, where your volumeForce is expected", "N");
     EXPECT_VECTOR_NEAR(Vec12(-slopes(c, ownVolumeEnergy, step)), ownVolumeForce(c), inStructure(10 * c.k));
   }
@@ -606,6 +606,15 @@ TEST(Narrow, BendsHaveNoSize) {
   MUELLE_EXPECT_ANSWERS(bendingForce);
   expectSteady("bendingForce times the size, at {:.2g} m, expected about as at 1 cm", "N m",
                [](double size) { return VecX(size * submission::bendingForce(Vec9(size * unequal), 0.7, 57.0)); });
+}
+
+TEST(Narrow, AreasKeepTheirDigits) {
+  MUELLE_PROPERTY("the area of a triangle is in proportion to its height, down to 1e-30 m");
+  MUELLE_EXPECT_ANSWERS(triangleArea);
+  for (int axis = 0; axis < 3; ++axis) {
+    expectSteady("area over the height of a triangle that is {:.2g} m high, expected about as with 1 cm", "m",
+                 [axis](double small) { return one(submission::triangleArea(narrow(small, axis, 1, 0).x) / small); });
+  }
 }
 
 TEST(Narrow, TrianglesHaveADirection) {

@@ -238,6 +238,15 @@ AREA_FORCE_MISTAKE(normal_not_normalised, pressed(at, -2 * kA * area * (area - A
 AREA_FORCE_MISTAKE(along_the_normal,
                    at.isFlat() ? Vec9(Vec9::Zero())
                                : stacked(-kA*(area - A0) * at.n(), -kA*(area - A0) * at.n(), -kA*(area - A0) * at.n()));
+/// As long as the pull in the plane, and across it.
+namespace as_much {
+AREA_FORCE_MISTAKE(along_the_normal, [&](double pull) {
+  return at.isFlat() ? Vec9(Vec9::Zero())
+                     : stacked(pull * (x.segment<3>(6) - x.segment<3>(3)).norm() * at.n(),
+                               pull * (x.segment<3>(0) - x.segment<3>(6)).norm() * at.n(),
+                               pull * (x.segment<3>(3) - x.segment<3>(0)).norm() * at.n());
+}(0.5 * kA * (A0 - area)));
+}
 AREA_FORCE_MISTAKE(sides_not_opposite, [](const Vec9& F) {
   return stacked(F.segment<3>(3), F.segment<3>(6), F.segment<3>(0));
 }(pressed(at, -kA*(area - A0))));
@@ -286,6 +295,7 @@ VOLUME_MISTAKE(never_negative, std::abs(V));
   })
 
 MUELLE_COMMON_MISTAKE(volumeEnergy, missing_half);
+VOLUME_ENERGY_MISTAKE(sizes_compared, 0.5 * kV * std::pow(std::abs(V) - std::abs(V0), 2));
 VOLUME_ENERGY_MISTAKE(not_squared, 0.5 * kV * (V - V0));
 VOLUME_ENERGY_MISTAKE(missing_rest, 0.5 * kV * square(V));
 VOLUME_ENERGY_MISTAKE(difference_of_squares, 0.5 * kV * (square(V) - square(V0)));

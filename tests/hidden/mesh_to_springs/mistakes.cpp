@@ -98,12 +98,52 @@ MUELLE_MISTAKE(meshEdges, trusts_the_neighbour, [](MeshOf triangles) {
   return each(edges);
 });
 MUELLE_MISTAKE(meshEdges, border_only, [](MeshOf triangles) { return sharedBy(triangles, 1, 1); });
+/// Met again, an edge is taken out: what two triangles share is gone, what three share is there again.
+namespace taken_out_again {
+MUELLE_MISTAKE(meshEdges, border_only, [](MeshOf triangles) {
+  std::set<Edge> found;
+  for (const Edge& side : orderedSides(triangles)) {
+    if (!found.insert(side).second) found.erase(side);
+  }
+  return each(found);
+});
+}
+MUELLE_MISTAKE(meshEdges, pairs_only, [](MeshOf triangles) {
+  const Edges sides = sorted(orderedSides(triangles));
+  Edges kept;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    kept.push_back(sides[i]);
+    if (i + 1 < sides.size() && sides[i + 1] == sides[i]) ++i;
+  }
+  return kept;
+});
+namespace {
+/// By one number an edge, a times the base and b: nodes of a larger number than the base come back as others.
+Edges byKeys(MeshOf triangles, int base) {
+  std::set<int> keys;
+  for (const Edge& side : orderedSides(triangles)) keys.insert(base * side[0] + side[1]);
+  Edges edges;
+  for (const int key : keys) edges.push_back({key / base, key % base});
+  return edges;
+}
+}  // namespace
+MUELLE_MISTAKE(meshEdges, keys_too_small, [](MeshOf triangles) { return byKeys(triangles, 1000); });
+namespace of_a_hundred {
+MUELLE_MISTAKE(meshEdges, keys_too_small, [](MeshOf triangles) { return byKeys(triangles, 100); });
+}
 MUELLE_MISTAKE(meshEdges, inside_only, [](MeshOf triangles) { return sharedBy(triangles, 2, 1 << 20); });
 MUELLE_MISTAKE(meshEdges, not_sorted, [](MeshOf triangles) { return firstOfEach(orderedSides(triangles)); });
 namespace by_second_node {
 MUELLE_MISTAKE(meshEdges, not_sorted, [](MeshOf triangles) {
   Edges edges = oracle::meshEdges(triangles);
   std::ranges::sort(edges, {}, [](const Edge& e) { return Edge{e[1], e[0]}; });
+  return edges;
+});
+}
+namespace by_first_node_only {
+MUELLE_MISTAKE(meshEdges, not_sorted, [](MeshOf triangles) {
+  Edges edges = firstOfEach(orderedSides(triangles));
+  std::ranges::stable_sort(edges, {}, [](const Edge& e) { return e[0]; });
   return edges;
 });
 }
@@ -147,6 +187,13 @@ MUELLE_MISTAKE(meshEdges, neighbours_in_list_only, [](MeshOf triangles) {
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
 });
+namespace sorted_too_late {
+MUELLE_MISTAKE(meshEdges, neighbours_in_list_only, [](MeshOf triangles) {
+  Edges edges = orderedSides(triangles);
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return sorted(edges);
+});
+}
 
 // --- grids ----------------------------------------------------------------------------------------------------------
 
@@ -202,6 +249,14 @@ Edges rowsForColumns(int rows, int columns, const Edges& right) {
   return sorted(edges);
 }
 
+Edges withoutRepeats(Edges edges) {
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+/// Nothing for a single row or column.
+Edges ofRealGrids(int rows, int columns, const Edges& right) { return rows < 2 || columns < 2 ? Edges() : right; }
+
 Edges oneAfterTheOther(Edges first, const Edges& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
@@ -237,10 +292,22 @@ Edges fromInnerOnly(int rows, int columns, int reach) {
   GRID_MISTAKE(function, rows_for_columns, rowsForColumns(rows, columns, oracle::function(rows, columns))); \
   GRID_MISTAKE(function, each_from_both_ends, eachFromBothEnds(oracle::function(rows, columns)))
 
+#define REPEATS_TAKEN_OUT(function)        \
+  GRID_MISTAKE(function, rows_for_columns, \
+               withoutRepeats(rowsForColumns(rows, columns, oracle::function(rows, columns))))
+
 NUMBERING_MISTAKES(structuralSprings);
 NUMBERING_MISTAKES(shearSprings);
 NUMBERING_MISTAKES(bendingSprings);
 
+namespace without_repeats {
+REPEATS_TAKEN_OUT(structuralSprings);
+REPEATS_TAKEN_OUT(shearSprings);
+REPEATS_TAKEN_OUT(bendingSprings);
+}  // namespace without_repeats
+
+GRID_MISTAKE(structuralSprings, no_chain, ofRealGrids(rows, columns, oracle::structuralSprings(rows, columns)));
+GRID_MISTAKE(bendingSprings, no_chain, ofRealGrids(rows, columns, oracle::bendingSprings(rows, columns)));
 GRID_MISTAKE(structuralSprings, in_rows_only, springsOf(rows, columns, along));
 GRID_MISTAKE(structuralSprings, in_columns_only, springsOf(rows, columns, down));
 GRID_MISTAKE(structuralSprings, round_the_end, wrapped(rows, columns, structural));
@@ -261,6 +328,16 @@ GRID_MISTAKE(shearSprings, round_the_end, wrapped(rows, columns, shear));
 GRID_MISTAKE(shearSprings, structural_too, springsOf(rows, columns, {{0, 1}, {1, 0}, {1, 1}, {1, -1}}));
 GRID_MISTAKE(shearSprings, not_sorted,
              oneAfterTheOther(springsOf(rows, columns, {{1, 1}}), springsOf(rows, columns, {{1, -1}})));
+
+namespace {
+/// The diagonal that goes to the left starts at the node below.
+Edges upwards(int rows, int columns) {
+  Edges edges = springsOf(rows, columns, {{1, 1}});
+  for (const Edge& edge : springsOf(rows, columns, {{1, -1}})) edges.push_back({edge[1], edge[0]});
+  return sorted(edges);
+}
+}  // namespace
+GRID_MISTAKE(shearSprings, larger_node_first, upwards(rows, columns));
 
 GRID_MISTAKE(bendingSprings, in_rows_only, springsOf(rows, columns, {{0, 2}}));
 GRID_MISTAKE(bendingSprings, in_columns_only, springsOf(rows, columns, {{2, 0}}));
@@ -295,6 +372,14 @@ LENGTH_MISTAKE(seen_from_above, [](const Vec3& a, const Vec3& b) { return (a - b
 LENGTH_MISTAKE(length_of_components, [](const Vec3& a, const Vec3& b) { return (a - b).lpNorm<1>(); });
 LENGTH_MISTAKE(difference_of_norms, [](const Vec3& a, const Vec3& b) { return std::abs(a.norm() - b.norm()); });
 LENGTH_MISTAKE(whole_numbers, [](const Vec3& a, const Vec3& b) { return std::trunc((a - b).norm()); });
+/// A sum of squares in an int is cut at each of its terms.
+namespace summed {
+LENGTH_MISTAKE(whole_numbers, [](const Vec3& a, const Vec3& b) {
+  double sum = 0.0;
+  for (const double d : Vec3(a - b)) sum = std::trunc(sum + d * d);
+  return std::sqrt(sum);
+});
+}
 MUELLE_MISTAKE(restLengths, mean_length, [](const std::vector<Vec3>& nodes, const Edges& edges) {
   const std::vector<double> right = oracle::restLengths(nodes, edges);
   const double sum = std::accumulate(right.begin(), right.end(), 0.0);

@@ -71,10 +71,23 @@ bool hasSpring(std::size_t node, const Springs& springs) {
 GET_FORCE_MISTAKE(same_at_both_ends, law(xa, xb, stiffness, length));
 GET_FORCE_MISTAKE(wrong_sign, -oracle::getForce(xa, xb, stiffness, length, end, law));
 GET_FORCE_MISTAKE(half_for_each_end, 0.5 * oracle::getForce(xa, xb, stiffness, length, end, law));
+GET_FORCE_MISTAKE(ends_told_by_place, xa == xb ? Vec3(law(xa, xb, stiffness, length))
+                                               : oracle::getForce(xa, xb, stiffness, length, end, law));
 GET_FORCE_MISTAKE(second_end_only, end == 1 ? Vec3(law(xb, xa, stiffness, length)) : Vec3(Vec3::Zero()));
 GET_FORCE_MISTAKE(first_end_only, end == 0 ? Vec3(law(xa, xb, stiffness, length)) : Vec3(Vec3::Zero()));
 GET_FORCE_MISTAKE(swapped, oracle::getForce(xa, xb, length, stiffness, end, law));
 GET_FORCE_MISTAKE(force_left_before, end == 0 ? left : Vec3(-left));
+/// The node that asks stands first, in place of a sign: a law that knows its ends answers the same.
+namespace asked_in_turn {
+Vec3 turned(const Vec3& xa, const Vec3& xb, double stiffness, double length, int end, const ForceLaw& law) {
+  return end == 0 ? law(xa, xb, stiffness, length) : law(xb, xa, stiffness, length);
+}
+GET_FORCE_MISTAKE(wrong_sign, -turned(xa, xb, stiffness, length, end, law));
+GET_FORCE_MISTAKE(half_for_each_end, 0.5 * turned(xa, xb, stiffness, length, end, law));
+GET_FORCE_MISTAKE(swapped, turned(xa, xb, length, stiffness, end, law));
+GET_FORCE_MISTAKE(second_end_only, end == 1 ? Vec3(-law(xa, xb, stiffness, length)) : Vec3(Vec3::Zero()));
+GET_FORCE_MISTAKE(same_at_both_ends, -law(xa, xb, stiffness, length));
+}  // namespace asked_in_turn
 namespace without_asking_which_end {
 GET_FORCE_MISTAKE(force_left_before, left);
 GET_FORCE_MISTAKE(same_at_both_ends, law(xb, xa, stiffness, length));
@@ -205,6 +218,22 @@ Results oldForce(const Nodes& nodes, const Springs& springs, const ForceLaw& law
 
 }  // namespace
 
+/// Forces are set to zero with the springs: a node that has none keeps what it had.
+namespace with_the_springs {
+BOTH_PROGRAMS_MISTAKE(not_reset, resetWhere(nodes, springs, law, [&](std::size_t i) { return hasSpring(i, springs); }));
+}
+/// The forces are there, and the last node is not accelerated.
+namespace not_accelerated {
+BOTH_PROGRAMS_MISTAKE(last_node_left_out,
+                      changedAccelerations(right(nodes, springs, law), [&](Result& result, std::size_t i) {
+                        if (i + 1 == nodes.size()) result.a = left;
+                      }));
+}
+BOTH_PROGRAMS_MISTAKE(small_forces_dropped, distributed(nodes, springs, law, [](Vec3& Fa, Vec3& Fb, const Vec3& F) {
+                        if (F.norm() < 1e-9) return;
+                        Fa += F;
+                        Fb -= F;
+                      }));
 BOTH_PROGRAMS_MISTAKE(last_spring_only, lastOfEachNode(nodes, springs, law));
 BOTH_PROGRAMS_MISTAKE(no_acceleration, changedAccelerations(right(nodes, springs, law),
                                                             [](Result& result, std::size_t) { result.a = left; }));
@@ -223,8 +252,7 @@ PROGRAM_MISTAKE(scatter, same_on_both_nodes, distributed(nodes, springs, law, []
 PROGRAM_MISTAKE(scatter, reset_by_each_spring, resetByEachSpring(nodes, springs, law));
 PROGRAM_MISTAKE(scatter, force_left_before, oldForce(nodes, springs, law));
 
-// --- general position
-// -------------------------------------------------------------------------------------------------
+// --- general position -----------------------------------------------------------------------------------------------
 
 namespace {
 

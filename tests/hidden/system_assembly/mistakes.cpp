@@ -76,6 +76,10 @@ ENERGY_MISTAKE(numbers_exchanged, E += energy(node(x, s.a), node(x, s.b), s.L0, 
 ENERGY_MISTAKE(overwrites, E = energy(node(x, s.a), node(x, s.b), s.k, s.L0));
 ENERGY_MISTAKE(wrong_block, E += energy(x.segment<3>(s.a), x.segment<3>(s.b), s.k, s.L0));
 ENERGY_MISTAKE(own_law, E += hookesEnergy(node(x, s.a), node(x, s.b), s.k, s.L0));
+ENERGY_MISTAKE(small_ones_dropped, {
+  const double one = energy(node(x, s.a), node(x, s.b), s.k, s.L0);
+  if (std::abs(one) > 1e-12) E += one;
+});
 MUELLE_COMMON_MISTAKE(systemEnergy, doubled);
 
 // --- gradient -------------------------------------------------------------------------------------------------------
@@ -102,6 +106,7 @@ GRADIENT_MISTAKE(second_node_subtracted, toA += g.head<3>(); toB -= g.tail<3>())
 GRADIENT_MISTAKE(opposite_of_the_first, toA += g.head<3>(); toB -= g.head<3>());
 GRADIENT_MISTAKE(first_half_for_both, toA += g.head<3>(); toB += g.head<3>());
 GRADIENT_MISTAKE(halves_exchanged, toA += g.tail<3>(); toB += g.head<3>());
+GRADIENT_MISTAKE(small_ones_dropped, if (g.norm() < 1e-9) continue; toA += g.head<3>(); toB += g.tail<3>());
 GRADIENT_MISTAKE(overwrites, toA = g.head<3>(); toB = g.tail<3>());
 GRADIENT_MISTAKE(wrong_block, total.segment<3>(s.a) += g.head<3>(); total.segment<3>(s.b) += g.tail<3>());
 ADDED_GRADIENT_MISTAKE(nodes_exchanged, gradient(node(x, s.b), node(x, s.a), s.k, s.L0));

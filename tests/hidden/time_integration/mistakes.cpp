@@ -78,6 +78,9 @@ Method with(Method method, const std::function<void(Method&)>& change) {
   MUELLE_MISTAKE(function, first_mass_for_all, [](const ForceType& force, const VecX& m, const State& now, double h) { \
     return oracle::function(force, VecX::Constant(m.size(), m[0]), now, h);                                            \
   });                                                                                                                  \
+  MUELLE_MISTAKE(function, step_capped, [](const ForceType& force, const VecX& m, const State& now, double h) {        \
+    return oracle::function(force, m, now, std::min(h, 1.0));                                                          \
+  });                                                                                                                  \
   MUELLE_MISTAKE(function, time_stays, [](const ForceType& force, const VecX& m, const State& now, double h) {         \
     State next = oracle::function(force, m, now, h);                                                                   \
     next.t = now.t;                                                                                                    \
@@ -222,6 +225,35 @@ VERLET_MISTAKE(time_of_beginning, .time = 0);
 VERLET_MISTAKE(time_of_middle, .time = 0.5);
 VERLET_MISTAKE(old_position_asked, .asksOld = true);
 VERLET_MISTAKE(symplectic_euler, .parabola = 1, .first = 1, .second = 0);
+
+#define OWN_VERLET_MISTAKE(id, ...) \
+  MUELLE_MISTAKE(verletStep, id,    \
+                 [](const PositionForce& force, const VecX& m, const State& now, double h) -> State { __VA_ARGS__ })
+
+/// One of the two forces is divided by the masses, the other is not.
+namespace of_the_second_force {
+OWN_VERLET_MISTAKE(mass_missing, {
+  const VecX a0 = force(now.t, now.x).cwiseQuotient(m), x = now.x + h * now.v + h * h / 2 * a0;
+  return {now.t + h, x, now.v + h / 2 * (a0 + force(now.t + h, x))};
+});
+}
+namespace of_the_first_force {
+OWN_VERLET_MISTAKE(mass_missing, {
+  const VecX F0 = force(now.t, now.x), x = now.x + h * now.v + h * h / 2 * F0;
+  return {now.t + h, x, now.v + h / 2 * (F0 + VecX(force(now.t + h, x).cwiseQuotient(m)))};
+});
+}
+/// What is held stays where it is: nothing accelerates it, and it has no velocity on the way.
+OWN_VERLET_MISTAKE(three_coordinates, {
+  const Eigen::Index held = std::max<Eigen::Index>(0, m.size() - 3);
+  VecX heavy = m;
+  State still = now;
+  heavy.tail(held).setConstant(1e300);
+  still.v.tail(held).setZero();
+  State next = oracle::verletStep(force, heavy, still, h);
+  next.v.tail(held) = now.v.tail(held);
+  return next;
+});
 
 // ------------------------------------------------------------------------------------------- arguments in general
 // position

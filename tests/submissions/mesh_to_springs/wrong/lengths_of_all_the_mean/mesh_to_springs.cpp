@@ -1,0 +1,81 @@
+// loses: RestLengths; misconception: mean_length
+#include "mesh_to_springs.h"
+
+namespace {
+
+Edge edge(int a, int b) { return a < b ? Edge{a, b} : Edge{b, a}; }
+
+std::vector<Edge> tidy(std::vector<Edge> list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  return list;
+}
+
+}  // namespace
+
+std::vector<Edge> meshEdges(const std::vector<Triangle>& triangles) {
+  std::vector<Edge> list;
+  list.reserve(3 * triangles.size());
+  for (const auto& [a, b, c] : triangles) {
+    list.push_back(edge(a, b));
+    list.push_back(edge(b, c));
+    list.push_back(edge(c, a));
+  }
+  return tidy(list);
+}
+
+std::vector<Edge> structuralSprings(int rows, int columns) {
+  std::vector<Edge> list;
+  for (int i = 0; i < rows; ++i)
+    for (int j = 1; j < columns; ++j) list.push_back(edge(i * columns + j - 1, i * columns + j));
+  for (int i = 1; i < rows; ++i)
+    for (int j = 0; j < columns; ++j) list.push_back(edge((i - 1) * columns + j, i * columns + j));
+  return tidy(list);
+}
+
+std::vector<Edge> shearSprings(int rows, int columns) {
+  std::vector<Edge> list;
+  for (int i = 1; i < rows; ++i) {
+    for (int j = 1; j < columns; ++j) {
+      const int corner = i * columns + j;
+      list.push_back(edge(corner, corner - columns - 1));
+      list.push_back(edge(corner - 1, corner - columns));
+    }
+  }
+  return tidy(list);
+}
+
+std::vector<Edge> bendingSprings(int rows, int columns) {
+  std::vector<Edge> list;
+  for (int i = 0; i < rows; ++i)
+    for (int j = 2; j < columns; ++j) list.push_back(edge(i * columns + j - 2, i * columns + j));
+  for (int i = 2; i < rows; ++i)
+    for (int j = 0; j < columns; ++j) list.push_back(edge((i - 2) * columns + j, i * columns + j));
+  return tidy(list);
+}
+
+std::vector<double> restLengths(const std::vector<Vec3>& nodes, const std::vector<Edge>& edges) {
+  double sum = 0.0;
+  for (const Edge& e : edges) sum += (nodes[e[0]] - nodes[e[1]]).norm();
+  return std::vector<double>(edges.size(), edges.empty() ? 0.0 : sum / static_cast<double>(edges.size()));
+}
+
+std::vector<double> equalMasses(double M, int n) {
+  std::vector<double> masses(n);
+  std::fill(masses.begin(), masses.end(), M / n);
+  return masses;
+}
+
+std::vector<double> massesByArea(const std::vector<Vec3>& nodes, const std::vector<Triangle>& triangles,
+                                 double density) {
+  std::vector<double> masses(nodes.size());
+  for (const auto& [a, b, c] : triangles) {
+    const Vec3 u = nodes.at(b) - nodes.at(a), w = nodes.at(c) - nodes.at(a);
+    const double nx = u.y() * w.z() - u.z() * w.y();
+    const double ny = u.z() * w.x() - u.x() * w.z();
+    const double nz = u.x() * w.y() - u.y() * w.x();
+    const double share = density * std::hypot(nx, ny, nz) / 6;
+    for (int node : {a, b, c}) masses.at(node) += share;
+  }
+  return masses;
+}

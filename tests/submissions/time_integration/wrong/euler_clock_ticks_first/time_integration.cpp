@@ -1,0 +1,41 @@
+// loses: ExplicitEuler; misconception: force_at_end_of_time
+// the time is set before the force is asked
+#include "time_integration.h"
+
+State explicitEulerStep(const Force& force, const VecX& m, const State& now, double h) {
+  State s = now;
+  s.t += h;
+  const VecX F = force(s.t, now.x, now.v);
+  s.x += h * now.v;
+  s.v += h * F.cwiseQuotient(m);
+  return s;
+}
+
+State midpointStep(const Force& force, const VecX& m, const State& now, double h) {
+  const VecX w = m.cwiseInverse();
+  const auto go = [&](const VecX& v, const VecX& F, double dt) {
+    return State{now.t + dt, now.x + dt * v, now.v + dt * w.cwiseProduct(F)};
+  };
+  const State q = go(now.v, force(now.t, now.x, now.v), h / 2);
+  return go(q.v, force(q.t, q.x, q.v), h);
+}
+
+State verletStep(const PositionForce& force, const VecX& m, const State& now, double h) {
+  const auto acceleration = [&](double t, const VecX& x) -> VecX { return m.cwiseInverse().cwiseProduct(force(t, x)); };
+  const VecX a = acceleration(now.t, now.x);
+  const VecX x = now.x + h * now.v + a * (h * h / 2.0);
+  return {now.t + h, x, now.v + (a + acceleration(now.t + h, x)) * (h / 2.0)};
+}
+
+State rungeKuttaStep(const Force& force, const VecX& m, const State& now, double h) {
+  const VecX w = m.cwiseInverse();
+  const auto ask = [&](double dt, const VecX& x, const VecX& v) -> VecX {
+    return w.cwiseProduct(force(now.t + dt, x, v));
+  };
+  // the accelerations alone: all velocities follow from them
+  const VecX a1 = ask(0, now.x, now.v);
+  const VecX a2 = ask(h / 2, now.x + h / 2 * now.v, now.v + h / 2 * a1);
+  const VecX a3 = ask(h / 2, now.x + h / 2 * now.v + h * h / 4 * a1, now.v + h / 2 * a2);
+  const VecX a4 = ask(h, now.x + h * now.v + h * h / 2 * a2, now.v + h * a3);
+  return {now.t + h, now.x + h * now.v + h * h / 6 * (a1 + a2 + a3), now.v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)};
+}
