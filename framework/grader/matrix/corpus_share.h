@@ -7,7 +7,7 @@
 namespace muelle::grader {
 
 /// One known submission in so many is taken by `./muelle test`; `./muelle test-the-tests` takes all.
-inline constexpr int usualShare = 48;
+inline constexpr int usualShare = 96;
 
 /// Which submissions of a corpus (tests/submissions) are taken. A submission is known when the corpus's list
 /// `known.txt` holds its folder with the digest of what stands in it now: all of it has once been seen to come out as

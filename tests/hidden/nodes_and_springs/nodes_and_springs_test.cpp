@@ -189,7 +189,7 @@ void expectEnds(const Program& own, const Program& right) {
 void expectSmallForces(const Program& own, const Program& right) {
   Random random = testRandom();
   const Net net = someNet(random, 5);
-  for (const double part : {1e-6, 1.2e-11, 8e-12, 1e-30}) {
+  for (const double part : {1e-6, 1.2e-11, 8e-12, 6e-12, 1e-30}) {
     const ForceLaw law = [part](const Vec3& xa, const Vec3& xb, double stiffness, double length) -> Vec3 {
       return part * hookesForce(xa, xb, stiffness, length);
     };

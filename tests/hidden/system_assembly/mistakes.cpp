@@ -76,10 +76,6 @@ ENERGY_MISTAKE(numbers_exchanged, E += energy(node(x, s.a), node(x, s.b), s.L0, 
 ENERGY_MISTAKE(overwrites, E = energy(node(x, s.a), node(x, s.b), s.k, s.L0));
 ENERGY_MISTAKE(wrong_block, E += energy(x.segment<3>(s.a), x.segment<3>(s.b), s.k, s.L0));
 ENERGY_MISTAKE(own_law, E += hookesEnergy(node(x, s.a), node(x, s.b), s.k, s.L0));
-ENERGY_MISTAKE(small_ones_dropped, {
-  const double one = energy(node(x, s.a), node(x, s.b), s.k, s.L0);
-  if (std::abs(one) > 1e-12) E += one;
-});
 MUELLE_COMMON_MISTAKE(systemEnergy, doubled);
 
 // --- gradient -------------------------------------------------------------------------------------------------------

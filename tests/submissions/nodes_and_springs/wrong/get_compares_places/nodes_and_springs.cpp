@@ -1,4 +1,4 @@
-// loses: GetForce; misconception: none
+// loses: GetForce; misconception: ends_told_by_place
 // Two nodes may be at one place.
 #include "nodes_and_springs.h"
 

@@ -1,4 +1,4 @@
-// loses: TotalEnergy; misconception: threshold or small_ones_dropped
+// loses: TotalEnergy; misconception: none
 // nothing to add
 #include "system_assembly.h"
 
