@@ -72,7 +72,8 @@ json toJson(const TestOutcome& test) {
           {"property", test.property},
           {"passed", test.passed},
           {"mismatches", mismatches},
-          {"call", test.call}};
+          {"call", test.call},
+          {"seen", {test.seen.function, test.seen.id}}};
 }
 
 TestOutcome testFromJson(const json& document) {
@@ -82,6 +83,7 @@ TestOutcome testFromJson(const json& document) {
   document.at("passed").get_to(test.passed);
   for (const json& each : document.at("mismatches")) test.mismatches.push_back(mismatchFromJson(each));
   document.at("call").get_to(test.call);
+  test.seen = {document.at("seen").at(0), document.at("seen").at(1)};
   return test;
 }
 
