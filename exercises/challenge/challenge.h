@@ -8,11 +8,12 @@
 /// What holds for every function below:
 ///  - A scene has n nodes. Positions, velocities and forces are stacked, node i has the components 3i, 3i+1, 3i+2 (z
 ///    points up), and m has one mass for each of these 3n coordinates.
-///  - The simulation begins at t = 0 with the positions x0 and the velocities v0. What is returned are the positions [m]
+///  - The simulation begins at t = 0 with the positions x0 and the velocities v0. What is returned are the positions
+///  [m]
 ///    at the end, in the same order.
 ///  - force(t, x, v) is the force on each coordinate. Everything that acts is in it: the statement's model, and a
-///    draught of some per cent, which depends on the position alone and is known to nobody who does not ask. The numbers
-///    of the model change a little from run to run as well.
+///    draught of some per cent, which depends on the position alone and is known to nobody who does not ask. The
+///    numbers of the model change a little from run to run as well.
 ///  - Every coordinate must be within the error of the scene. How often you may ask for that is counted in evaluations,
 ///    and each scene has three bands: the fewer, the more points. Whoever asks more often than the third allows is
 ///    stopped.
@@ -34,8 +35,8 @@ using muelle::VecX;
 /// evaluation.
 using Force = std::function<VecX(double t, const VecX& x, const VecX& v)>;
 
-/// Second derivatives of the energy [N/m] at time t [s] and positions x [m], which are minus the derivatives of the force
-/// with respect to x: hessian(t, x). It is symmetric. Ten evaluations.
+/// Second derivatives of the energy [N/m] at time t [s] and positions x [m], which are minus the derivatives of the
+/// force with respect to x: hessian(t, x). It is symmetric. Ten evaluations.
 using Hessian = std::function<Eigen::SparseMatrix<double>(double t, const VecX& x)>;
 
 constexpr double rabbitDuration = 0.1;  ///< [s]
@@ -61,13 +62,10 @@ VecX squeezedRabbit(const Force& force, const VecX& m, const VecX& x0, const Vec
 /// \return positions at t = clothDuration [m]
 VecX stiffCloth(const Force& force, const Hessian& hessian, const VecX& m, const VecX& x0, const VecX& v0);
 
-/// A ball, one node, is thrown and bounces on the ground z = 0 four times; the ground is hard, there is air, and gravity
-/// is about 9.8 m/s^2. Its force depends on position and velocity.
-/// \param force  the force on the coordinates [N]
-/// \param m      mass of each coordinate [kg]
-/// \param x0     position at t = 0 [m]
-/// \param v0     velocity at t = 0 [m/s]
-/// \return position at t = ballDuration [m]
+/// A ball, one node, is thrown and bounces on the ground z = 0 four times; the ground is hard, there is air, and
+/// gravity is about 9.8 m/s^2. Its force depends on position and velocity. \param force  the force on the coordinates
+/// [N] \param m      mass of each coordinate [kg] \param x0     position at t = 0 [m] \param v0     velocity at t = 0
+/// [m/s] \return position at t = ballDuration [m]
 VecX bouncingBall(const Force& force, const VecX& m, const VecX& x0, const VecX& v0);
 
 MUELLE_FUNCTIONS(squeezedRabbit, stiffCloth, bouncingBall)

@@ -54,14 +54,14 @@ Run rabbitRun() {
 }
 
 Run clothRun() {
-  const scenes::Cloth scene{scenes::ClothNumbers()};
+  const scenes::Cloth scene;
   return runOf(scene, scenes::clothEnds, [&](const Force& force, const auto& asked) {
     return submission::stiffCloth(force, asked.hessian(), scene.masses(), scene.positions(), scene.velocities());
   });
 }
 
 Run ballRun() {
-  const scenes::Ball scene{scenes::BallNumbers()};
+  const scenes::Ball scene;
   return runOf(scene, scenes::ballEnds, [&](const Force& force, const auto&) {
     return submission::bouncingBall(force, scene.masses(), scene.positions(), scene.velocities());
   });

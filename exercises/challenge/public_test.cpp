@@ -21,14 +21,14 @@ struct Run {
 
 Run rabbitRun() {
   const auto mesh = muelle::readTriangleMesh(MUELLE_EXERCISE_FOLDER "/../mesh_to_springs/rabbit.off");
-  const Asked asked(scenes::Rabbit(scenes::RabbitNumbers(), mesh));
+  const Asked asked(scenes::Rabbit({}, mesh));
   const auto& scene = asked.scene();
   const VecX end = submission::squeezedRabbit(asked.force(), scene.masses(), scene.positions(), scene.velocities());
   return {end, asked.tally().evaluations()};
 }
 
 Run clothRun() {
-  const Asked asked(scenes::Cloth(scenes::ClothNumbers()));
+  const Asked asked(scenes::Cloth{});
   const auto& scene = asked.scene();
   const VecX end =
       submission::stiffCloth(asked.force(), asked.hessian(), scene.masses(), scene.positions(), scene.velocities());
@@ -36,7 +36,7 @@ Run clothRun() {
 }
 
 Run ballRun() {
-  const Asked asked(scenes::Ball(scenes::BallNumbers()));
+  const Asked asked(scenes::Ball{});
   const auto& scene = asked.scene();
   const VecX end = submission::bouncingBall(asked.force(), scene.masses(), scene.positions(), scene.velocities());
   return {end, asked.tally().evaluations()};

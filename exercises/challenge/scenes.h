@@ -4,8 +4,8 @@
 /// each answers when it is asked for its force. The numbers are those of the public scenes: the hidden ones are near
 /// them, and have another draught.
 
-#include "harness/types.h"
 #include "harness/triangle_mesh.h"
+#include "harness/types.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
@@ -113,7 +113,7 @@ class Rabbit {
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) x_.segment<3>(place(i)) = mesh.nodes[i];
     m_.setConstant(numbers.mass / static_cast<double>(mesh.nodes.size()));
     for (const auto& corner : mesh.triangles) {
-      for (const auto [a, b] : {std::pair(corner[0], corner[1]), {corner[1], corner[2]}, {corner[2], corner[0]}}) {
+      for (const auto& [a, b] : {std::pair(corner[0], corner[1]), {corner[1], corner[2]}, {corner[2], corner[0]}}) {
         if (a < b) hold(static_cast<std::size_t>(a), static_cast<std::size_t>(b));  // its neighbour has it as b, a
       }
     }
@@ -160,7 +160,7 @@ class Cloth {
   static constexpr std::size_t side = 10;  // nodes
   static constexpr double spacing = 0.1;   // [m]
 
-  explicit Cloth(const ClothNumbers& numbers)
+  explicit Cloth(const ClothNumbers& numbers = {})
       : numbers_(numbers), x_(place(side * side)), v_(VecX::Zero(x_.size())), m_(x_.size()) {
     m_.setConstant(numbers.mass / static_cast<double>(side * side));
     for (std::size_t i = 0; i < side * side; ++i) {
@@ -195,7 +195,7 @@ class Cloth {
     for (const Bond& bond : bonds_) {
       const Vec3 d = nodeOf(x, bond.b) - nodeOf(x, bond.a);
       const Mat3 block = tension(bond, d) * Mat3::Identity() + bond.k / bond.square * d * d.transpose();
-      for (const auto [i, j] : {std::pair(bond.a, bond.b), {bond.b, bond.a}}) {
+      for (const auto& [i, j] : {std::pair(bond.a, bond.b), {bond.b, bond.a}}) {
         H.block<3, 3>(place(i), place(i)) += block;
         H.block<3, 3>(place(i), place(j)) -= block;
       }
@@ -248,7 +248,7 @@ class Ball {
   static constexpr double duration = 3.0;  // [s]
   static constexpr Goal goal{2e-3, 1600, 20000, 40000};
 
-  explicit Ball(const BallNumbers& numbers) : numbers_(numbers) {}
+  explicit Ball(const BallNumbers& numbers = {}) : numbers_(numbers) {}
 
   VecX masses() const { return VecX::Constant(3, numbers_.mass); }
   VecX positions() const { return Vec3(0, 0, numbers_.height); }

@@ -75,6 +75,7 @@ class Judgement {
   std::string whyInexact() const {
     if (end_.size() != right_.size()) return "";
     if (hasGrown()) return "steps_too_long";
+    if (asked_.tally().evaluations() == 0) return "asked_nothing";
     if (isWithoutDraught()) return "draught_left_out";
     const long steps = asked_.tally().forces;
     if (steps > 0 && isLike(explicitEulerEnd(asked_.scene(), steps))) return "explicit_euler";

@@ -3,7 +3,7 @@
 /// The methods of first order, in as many steps as a submission has asked: where they end is where it ends that uses
 /// them.
 
-#include "challenge/scenes.h"
+#include "scenes.h"
 
 #include <Eigen/SparseCholesky>
 

@@ -3,8 +3,8 @@
 /// The scenes with numbers from a seed: so near to the public ones that who does well there does well here, with a
 /// draught that is another one.
 
-#include "challenge/scenes.h"
 #include "course/testing/random.h"
+#include "scenes.h"
 
 namespace scenes {
 

@@ -3,8 +3,8 @@
 /// A submission in one of the scenes: what it gives, how exact that is, what it has asked for, and what can be seen of
 /// how it went wrong.
 
-#include "challenge/judge.h"
 #include "grader/testing/seen.h"
+#include "judge.h"
 #include "seeded_scenes.h"
 
 #include <string>
