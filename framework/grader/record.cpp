@@ -68,12 +68,8 @@ Mismatch mismatchFromJson(const json& document) {
 json toJson(const TestOutcome& test) {
   json mismatches = json::array();
   for (const Mismatch& mismatch : test.mismatches) mismatches.push_back(toJson(mismatch));
-  return {{"name", test.name},
-          {"property", test.property},
-          {"passed", test.passed},
-          {"mismatches", mismatches},
-          {"call", test.call},
-          {"seen", {test.seen.function, test.seen.id}}};
+  return {{"name", test.name},        {"property", test.property}, {"passed", test.passed},
+          {"mismatches", mismatches}, {"call", test.call},         {"seen", {test.seen.function, test.seen.id}}};
 }
 
 TestOutcome testFromJson(const json& document) {

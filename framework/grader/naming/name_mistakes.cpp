@@ -196,7 +196,8 @@ bool mayBeNamed(const Verdict& verdict) {
 }
 
 void addUnlessSaid(std::vector<NamedMistake>& mistakes, const NamedMistake& named) {
-  const bool isSaid = std::ranges::any_of(mistakes, [&](const NamedMistake& known) { return known.says == named.says; });
+  const bool isSaid =
+      std::ranges::any_of(mistakes, [&](const NamedMistake& known) { return known.says == named.says; });
   if (!isSaid) mistakes.push_back(named);
 }
 
