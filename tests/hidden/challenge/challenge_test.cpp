@@ -57,13 +57,10 @@ class Judgement {
 
   static void noteSeen(const std::string& id) { muelle::grader::noteSeen(Trial::function, id); }
 
-  bool hasGrown() const {
-    const bool isFar = end_.size() > 0 && !(end_.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < farAway);
-    return isFar || !(asked_.tally().farthest < farAway);
-  }
+  bool hasGrown() const { return !(end_.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < farAway); }
 
   std::string whyStopped() const {
-    if (hasGrown()) return "steps_too_long";
+    if (!(asked_.tally().farthest < farAway)) return "steps_too_long";
     return asked_.tally().evaluations() > Scene::goal.enough ? "asked_for_ever" : "";
   }
 

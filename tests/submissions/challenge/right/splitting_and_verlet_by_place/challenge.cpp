@@ -1,6 +1,6 @@
 #include "challenge.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/SparseCholesky>
 
 VecX squeezedRabbit(const Force& force, const VecX& m, const VecX& x0, const VecX& v0) {
   // Blanes and Moan: kicks and drifts with unequal parts, order four
@@ -26,18 +26,23 @@ VecX squeezedRabbit(const Force& force, const VecX& m, const VecX& x0, const Vec
 }
 
 VecX stiffCloth(const Force& force, const Hessian& hessian, const VecX& m, const VecX& x0, const VecX& v0) {
-  constexpr int n = 100;
-  constexpr double h = clothDuration / n;
+  const int n = 105;
+  const double h = clothDuration / n;
   VecX x = x0, v = v0;
   for (int i = 0; i < n; ++i) {
-    // trapezoidal rule, linearised: (M + h^2/4 K) dv = h F - h^2/2 K v
-    const muelle::MatX K = hessian(i * h, x);
-    muelle::MatX A = h * h / 4 * K;
-    A.diagonal() += m;
-    const VecX middle = x + h / 2 * v;
-    const VecX dv = A.ldlt().solve(h * force((i + 0.5) * h, middle, v));
-    x += h * (v + dv / 2);
-    v += dv;
+    const double t = (i + 0.5) * h;
+    const VecX start = x + h / 2 * v;
+    VecX q = start;
+    for (int turn = 0; turn < 1; ++turn) {
+      Eigen::SparseMatrix<double> A = h * h / 4 * hessian(t, q);
+      A.diagonal() += m;
+      const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(A);
+      const VecX rest = m.cwiseProduct(q - start) - h * h / 4 * force(t, q, v);
+      q -= solver.solve(rest);
+    }
+    const VecX end = 2 * q - x;
+    v = 2 / h * (end - x) - v;
+    x = end;
   }
   return x;
 }
