@@ -8,9 +8,8 @@
 /// What holds for every function below:
 ///  - A scene has n nodes. Positions, velocities and forces are stacked, node i has the components 3i, 3i+1, 3i+2 (z
 ///    points up), and m has one mass for each of these 3n coordinates.
-///  - The simulation begins at t = 0 with the positions x0 and the velocities v0. What is returned are the positions
-///  [m]
-///    at the end, in the same order.
+///  - The simulation begins at t = 0 with the positions x0 and the velocities v0. Returned are the positions [m] at the
+///    end, in the same order.
 ///  - force(t, x, v) is the force on each coordinate. Everything that acts is in it: the statement's model, and a
 ///    draught of some per cent, which depends on the position alone and is known to nobody who does not ask. The
 ///    numbers of the model change a little from run to run as well.
@@ -63,9 +62,12 @@ VecX squeezedRabbit(const Force& force, const VecX& m, const VecX& x0, const Vec
 VecX stiffCloth(const Force& force, const Hessian& hessian, const VecX& m, const VecX& x0, const VecX& v0);
 
 /// A ball, one node, is thrown and bounces on the ground z = 0 four times; the ground is hard, there is air, and
-/// gravity is about 9.8 m/s^2. Its force depends on position and velocity. \param force  the force on the coordinates
-/// [N] \param m      mass of each coordinate [kg] \param x0     position at t = 0 [m] \param v0     velocity at t = 0
-/// [m/s] \return position at t = ballDuration [m]
+/// gravity is about 9.8 m/s^2. Its force depends on position and velocity.
+/// \param force  the force on the coordinates [N]
+/// \param m      mass of each coordinate [kg]
+/// \param x0     position at t = 0 [m]
+/// \param v0     velocity at t = 0 [m/s]
+/// \return position at t = ballDuration [m]
 VecX bouncingBall(const Force& force, const VecX& m, const VecX& x0, const VecX& v0);
 
 MUELLE_FUNCTIONS(squeezedRabbit, stiffCloth, bouncingBall)

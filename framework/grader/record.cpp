@@ -19,7 +19,7 @@ using nlohmann::json;
 std::string dump(const json& document) { return document.dump(1, ' ', false, json::error_handler_t::replace); }
 
 /// Raised whenever the meaning of a field changes: an old record is then as if absent.
-constexpr int version = 8;
+constexpr int version = 9;
 
 json toJson(const Mismatch& m) {
   return {{"label", m.label},
