@@ -30,7 +30,7 @@ VecX squeezedRabbit(const Force& force, const VecX& m, const VecX& x0, const Vec
 }
 
 VecX stiffCloth(const Force& force, const Hessian& hessian, const VecX& m, const VecX& x0, const VecX& v0) {
-  const int n = 80;
+  const int n = 60;
   const double h = clothDuration / n;
   VecX x = x0, v = v0;
   for (int i = 0; i < n; ++i) {

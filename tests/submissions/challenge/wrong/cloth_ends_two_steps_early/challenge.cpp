@@ -33,7 +33,7 @@ VecX stiffCloth(const Force& force, const Hessian& hessian, const VecX& m, const
   const int n = 80;
   const double h = clothDuration / n;
   VecX x = x0, v = v0;
-  for (int i = 0; i < n; ++i) {
+  for (int i = 1; i < n - 1; ++i) {
     const double t = (i + 0.5) * h;
     const VecX start = x + h / 2 * v;
     VecX q = start;
@@ -48,7 +48,7 @@ VecX stiffCloth(const Force& force, const Hessian& hessian, const VecX& m, const
     v = 2 / h * (end - x) - v;
     x = end;
   }
-  return x - h / 2 * v;
+  return x;
 }
 
 VecX bouncingBall(const Force& force, const VecX& m, const VecX& x0, const VecX& v0) {
