@@ -123,7 +123,8 @@ Prediction readPrediction(const TomlTable& table) {
 }
 
 Manifest interpret(const TomlTable& table, const std::string& topic) {
-  table.checkKeys({"order", "title", "points", "files", "feedback", "call_seconds", "slides", "predict", "criterion", "misconception"},
+  table.checkKeys({"order", "title", "points", "files", "feedback", "call_seconds", "slides", "predict", "criterion",
+                   "misconception"},
                   {"order", "title", "points", "files", "criterion"});
   if (!isLowerName(topic)) {
     table.failHere(fmt::format("the folder's name '{}' is the topic: it may have a-z, 0-9 and _ only", topic));
