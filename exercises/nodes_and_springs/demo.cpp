@@ -31,7 +31,7 @@ struct Net {
   std::vector<SpringData> springs;
 };
 
-Net squeezedRabbit() {
+Net rabbitInHand() {
   std::ifstream file(MUELLE_EXERCISE_FOLDER "/rabbit_at_rest.txt");
   std::stringstream text;
   for (std::string line; std::getline(file, line);) {
@@ -50,7 +50,7 @@ Net squeezedRabbit() {
 /// From the side: the springs of its near side, and at each node an arrow for the sum of the spring forces.
 muelle::Figure atRest() {
   constexpr double metresPerNewton = 0.02;
-  const Net rabbit = squeezedRabbit();
+  const Net rabbit = rabbitInHand();
   const std::vector<Result> results = submission::scatter(rabbit.nodes, rabbit.springs, barForce);
   Numbers x, z, dx, dz, springX, springZ;
   for (std::size_t i = 0; i < std::min(results.size(), rabbit.nodes.size()); ++i) {

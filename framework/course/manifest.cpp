@@ -123,7 +123,8 @@ Prediction readPrediction(const TomlTable& table) {
 }
 
 Manifest interpret(const TomlTable& table, const std::string& topic) {
-  table.checkKeys({"order", "title", "points", "files", "feedback", "slides", "predict", "criterion", "misconception"},
+  table.checkKeys({"order", "title", "points", "files", "feedback", "call_seconds", "slides", "predict", "criterion",
+                   "misconception"},
                   {"order", "title", "points", "files", "criterion"});
   if (!isLowerName(topic)) {
     table.failHere(fmt::format("the folder's name '{}' is the topic: it may have a-z, 0-9 and _ only", topic));
@@ -136,6 +137,7 @@ Manifest interpret(const TomlTable& table, const std::string& topic) {
   manifest.points = table.positive("points");
   manifest.files = table.texts("files", isSourceName, "a plain file name that ends in .cpp");
   manifest.feedback = readFeedback(table);
+  manifest.callSeconds = table.integer("call_seconds", usualCallSeconds, longestCallSeconds, usualCallSeconds);
   manifest.slides = table.texts("slides", isAnyText, "the title of a slide");
   readCriteria(table, manifest);
   readMisconceptions(table, manifest);

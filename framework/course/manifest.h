@@ -1,4 +1,6 @@
 #pragma once
+#include "course/time_limits.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -46,7 +48,8 @@ struct Manifest {
   double points = 0.0;             ///< the sum of the criteria's
   std::vector<std::string> files;  ///< what is handed in: "spring_1d.cpp"
   FeedbackLevel feedback = FeedbackLevel::Values;
-  std::vector<std::string> slides;  ///< titles of the lecture's slides
+  int callSeconds = usualCallSeconds;  ///< processor time that one call of the student's may take [s]
+  std::vector<std::string> slides;     ///< titles of the lecture's slides
   std::vector<Criterion> criteria;
   std::vector<Misconception> misconceptions;
   Prediction predict;

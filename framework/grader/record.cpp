@@ -19,7 +19,7 @@ using nlohmann::json;
 std::string dump(const json& document) { return document.dump(1, ' ', false, json::error_handler_t::replace); }
 
 /// Raised whenever the meaning of a field changes: an old record is then as if absent.
-constexpr int version = 8;
+constexpr int version = 9;
 
 json toJson(const Mismatch& m) {
   return {{"label", m.label},
@@ -68,11 +68,8 @@ Mismatch mismatchFromJson(const json& document) {
 json toJson(const TestOutcome& test) {
   json mismatches = json::array();
   for (const Mismatch& mismatch : test.mismatches) mismatches.push_back(toJson(mismatch));
-  return {{"name", test.name},
-          {"property", test.property},
-          {"passed", test.passed},
-          {"mismatches", mismatches},
-          {"call", test.call}};
+  return {{"name", test.name},        {"property", test.property}, {"passed", test.passed},
+          {"mismatches", mismatches}, {"call", test.call},         {"seen", {test.seen.function, test.seen.id}}};
 }
 
 TestOutcome testFromJson(const json& document) {
@@ -82,6 +79,7 @@ TestOutcome testFromJson(const json& document) {
   document.at("passed").get_to(test.passed);
   for (const json& each : document.at("mismatches")) test.mismatches.push_back(mismatchFromJson(each));
   document.at("call").get_to(test.call);
+  test.seen = {document.at("seen").at(0), document.at("seen").at(1)};
   return test;
 }
 

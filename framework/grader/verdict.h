@@ -13,6 +13,13 @@
 
 namespace muelle::grader {
 
+/// A mistake that a test has seen at work (grader/testing/seen.h); of no function: none.
+struct SeenMistake {
+  std::string function;
+  std::string id;  ///< of the manifest
+  bool operator==(const SeenMistake&) const = default;
+};
+
 /// One hidden test of a criterion.
 struct TestOutcome {
   std::string name;      ///< "FollowsHookesLaw"
@@ -20,6 +27,7 @@ struct TestOutcome {
   bool passed = false;
   std::vector<Mismatch> mismatches;  ///< the failed expectations, the first few of them
   std::string call;                  ///< the latest call before the first failure, as source; "" when none
+  SeenMistake seen = {};             ///< of which function the test has said that it has seen a mistake, if any
 };
 
 /// A mistake that explains every answer of one function, in all criteria.

@@ -113,6 +113,18 @@ TEST_F(ManifestFile, FeedbackIsOfTheFullestKindUnlessStated) {
   EXPECT_EQ(read(with("feedback = \"property\"\n", "")).feedback, FeedbackLevel::Values);
 }
 
+TEST_F(ManifestFile, SaysHowLongACallMayTake) {
+  const auto seconds = [](const std::string& value) {
+    return with("order = 10", "order = 10\ncall_seconds = " + value);
+  };
+  EXPECT_EQ(read(good).callSeconds, 2);
+  EXPECT_EQ(read(seconds("15")).callSeconds, 15);
+  const std::string key = "spring_1d/exercise.toml:2: key 'call_seconds': ";
+  EXPECT_EQ(complaint(seconds("1")), key + "1 does not lie between 2 and 20");
+  EXPECT_EQ(complaint(seconds("600")), key + "600 does not lie between 2 and 20");
+  EXPECT_EQ(complaint(seconds("2.5")), key + "expected an integer, found a number");
+}
+
 TEST_F(ManifestFile, AMisspeltKeyGetsItsLineAndTheNearestName) {
   EXPECT_EQ(complaint(with("points = 2", "pionts = 2")),
             "spring_1d/exercise.toml:11: key 'pionts': unknown; did you mean 'points'?");

@@ -5,8 +5,10 @@
 #include "course/check/fault_sentences.h"
 #include "course/check/thrown_sentence.h"
 #include "course/testing/call_record.h"
+#include "course/time_limits.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/time.h>
 #include <unistd.h>
@@ -25,15 +27,15 @@ namespace {
 
 constexpr int reportDescriptor = 3;
 constexpr long tickMilliseconds = 100;
-constexpr long callLimitMilliseconds = 2000;    // of processor time: a busy machine costs nobody anything
-constexpr long totalLimitMilliseconds = 10000;  // of processor time, too
+constexpr long inSecond = 1000;  // [ms]
 
 constexpr int asleepLimitSeconds = 10;
 constexpr double nothingSeconds = 0.001;  // of processor time in a second: what a look itself takes
 
 int report = STDERR_FILENO;
-long slowness = 1;      // times the limits of processor time
-bool isLoading = true;  // until main() begins
+long slowness = 1;                   // times the limits of processor time
+int callSeconds = usualCallSeconds;  // of processor time: a busy machine costs nobody anything
+bool isLoading = true;               // until main() begins
 char alternateStack[65536];
 std::uintptr_t stackTop = 0;
 std::uintptr_t stackLimit = 0;
@@ -98,7 +100,13 @@ void onSignal(int signal, siginfo_t* info, void*) {
 
 /// Written before a signal handler asks for it.
 const char* callLimitSentence() {
-  static const std::string sentence = limitSentence(std::chrono::milliseconds(callLimitMilliseconds));
+  static const std::string sentence = limitSentence(std::chrono::seconds(callSeconds));
+  return sentence.c_str();
+}
+
+const char* totalLimitSentence() {
+  static const std::string sentence =
+      fmt::format("all calls together took more than {} s of processor time", allCallsSeconds(callSeconds));
   return sentence.c_str();
 }
 
@@ -111,9 +119,9 @@ void onTick(int) {
   const bool sameCall = isStudents() && CallRecord::count() == seenCount;
   lasted = sameCall ? lasted + tickMilliseconds : 0;
   seenCount = CallRecord::count();
-  if (lasted >= slowness * callLimitMilliseconds) sayAndEnd(callLimitSentence(), "processor time");
-  if (total >= slowness * totalLimitMilliseconds) {
-    sendAndEnd("", "all calls together took more than 10 s of processor time", "processor time");
+  if (lasted >= slowness * callSeconds * inSecond) sayAndEnd(callLimitSentence(), "processor time");
+  if (total >= slowness * allCallsSeconds(callSeconds) * inSecond) {
+    sendAndEnd("", totalLimitSentence(), "processor time");
   }
 }
 
@@ -229,6 +237,7 @@ void installHandlers() {
   CallRecord::current() = nullptr;
   CallRecord::printsArguments() = true;
   callLimitSentence();
+  totalLimitSentence();
   watchForExit();
   startClocks();
 }
@@ -238,9 +247,18 @@ long slownessOf(int argc, char** argv) {
   return argc > 2 && std::string_view(argv[2]) == "slowly" ? long{sanitizedFactor} : 1;
 }
 
+/// Of a program that somebody starts by hand: the usual ones.
+int callSecondsOfEnvironment() {
+  const char* text = std::getenv(callSecondsVariable);
+  const long seconds = text != nullptr ? std::strtol(text, nullptr, 10) : 0;
+  const bool isSane = seconds >= usualCallSeconds && seconds <= longestCallSeconds;
+  return isSane ? static_cast<int>(seconds) : usualCallSeconds;
+}
+
 /// Before the initialisers of the student's file, which run before main(); with main()'s arguments.
 __attribute__((constructor(101))) void watchLoading(int argc, char** argv) {
   slowness = slownessOf(argc, argv);
+  callSeconds = callSecondsOfEnvironment();
   findReport();
   measureStack();
   installHandlers();

@@ -10,8 +10,11 @@ class EigenMisuse : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
-/// From now on a crash, an endless recursion, a call that takes more than 2 s of processor time (10 s all together;
-/// more where "slowly" among the arguments says that sanitizers slow the program down), an exception that nobody
+/// The environment's variable that says how much processor time one call may take [s].
+inline constexpr const char* callSecondsVariable = "MUELLE_CALL_SECONDS";
+
+/// From now on a crash, an endless recursion, a call that takes more than its processor time (time_limits.h; more
+/// where "slowly" among the arguments says that sanitizers slow the program down), an exception that nobody
 /// catches and an early exit of this process write the lines "outcome<TAB>name" (outcome.h) and "crash<TAB>sentence" to
 /// the report and end the process. The sentence names the student's function that ran. Before this call the same holds
 /// for the code that runs when the student's file is loaded.

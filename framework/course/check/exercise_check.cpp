@@ -75,7 +75,7 @@ class TestEnds {
 void lookAtOtherFill(const StudentProgram& program, const TestEnds& first, ReportReader& reader) {
   if (program.refilled.empty()) return;
   TestEnds second(false);
-  runTests({program.refilled.string(), "tests", "refilled"}, isInstrumented,
+  runTests({program.refilled.string(), "tests", "refilled"}, isInstrumented, program.callSeconds,
            [&second](const TestProcess& process) { second.take(process); });
   for (const auto& [name, passed] : first.all()) {
     if (second.passed(name).value_or(passed) == passed) continue;
@@ -91,10 +91,11 @@ void lookAtOtherFill(const StudentProgram& program, const TestEnds& first, Repor
 /// Adds what the sanitizers find in the second build. How it ends otherwise says nothing: everything is dearer there.
 void lookAgain(const StudentProgram& program, ReportReader& reader) {
   if (program.sanitized.empty()) return;
-  runTests({program.sanitized.string(), "tests", "slowly"}, Instrumented::Yes, [&](const TestProcess& process) {
+  const auto take = [&](const TestProcess& process) {
     const FailedTest found = confirmedIn(process, program.students);
     if (!found.messages.empty()) reader.confirm(found);
-  });
+  };
+  runTests({program.sanitized.string(), "tests", "slowly"}, Instrumented::Yes, program.callSeconds, take);
 }
 
 }  // namespace
@@ -105,9 +106,9 @@ Outcome checkOutcome(const StudentProgram& program, const TestReport& report) {
 
 TestReport runPublicTests(const StudentProgram& program) {
   TestReport report;
-  ReportReader reader(report);
+  ReportReader reader(report, program.callSeconds);
   TestEnds ends(true);
-  runTests({program.executable.string(), "tests"}, isInstrumented, [&](const TestProcess& process) {
+  const auto take = [&](const TestProcess& process) {
     if (process.result.timedOut) {
       throw std::runtime_error(fmt::format(
           "the tests did not end within {} s, nor took the processor time: the machine is too busy, or they "
@@ -119,7 +120,8 @@ TestReport runPublicTests(const StudentProgram& program) {
     ends.take(process);
     report.output +=
         process.result.out.substr(0, studentOutputLimit - std::min(studentOutputLimit, report.output.size()));
-  });
+  };
+  runTests({program.executable.string(), "tests"}, isInstrumented, program.callSeconds, take);
   lookAtOtherFill(program, ends, reader);
   lookAgain(program, reader);
   report.outcome = reader.outcome();
@@ -149,7 +151,7 @@ CurvesReport drawCurves(const StudentProgram& program, const std::filesystem::pa
   std::filesystem::create_directories(folder);
   std::vector<std::string> command = {program.executable.string(), "demo", folder.string()};
   if (!remark.empty()) command.push_back(remark);
-  const CommandResult result = runStudentProgram(command, isInstrumented);
+  const CommandResult result = runStudentProgram(command, isInstrumented, program.callSeconds);
   CurvesReport curves;
   bool done = false;
   for (const auto& [kind, text] : readReport(result.report)) {

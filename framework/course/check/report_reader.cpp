@@ -153,7 +153,7 @@ std::string ReportReader::describe(const CommandResult& result) const {
   const char* sentence = result.status.signalled ? signalSentence(result.status.code) : nullptr;
   if (sentence != nullptr) return fmt::format("{} {}", who, sentence);
   if (result.status.signalled && result.status.code == SIGXCPU)
-    return fmt::format("the tests took more than {} s of processor time", testsProcessorSeconds);
+    return fmt::format("the tests took more than {} s of processor time", testsProcessorSeconds(callSeconds_));
   if (result.status.signalled) return fmt::format("{} was ended by a signal: {}", who, strsignal(result.status.code));
   return fmt::format("{} {}", who, exitSentence(result.status.code));
 }

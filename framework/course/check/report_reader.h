@@ -1,6 +1,7 @@
 #pragma once
 #include "base/process/child.h"
 #include "course/check/test_report.h"
+#include "course/time_limits.h"
 
 #include <string>
 #include <vector>
@@ -13,7 +14,9 @@ FailedTest testNamed(const std::string& fullName);
 /// Builds the report from what the public test program wrote.
 class ReportReader {
  public:
-  explicit ReportReader(TestReport& report) : report_(report) {}
+  /// \param callSeconds processor time that one call may take
+  explicit ReportReader(TestReport& report, int callSeconds = usualCallSeconds)
+      : report_(report), callSeconds_(callSeconds) {}
 
   /// A line of the report of the process that runs.
   void take(const std::string& kind, const std::string& text);
@@ -39,6 +42,7 @@ class ReportReader {
   std::string describe(const CommandResult& result) const;
 
   TestReport& report_;
+  int callSeconds_;
   FailedTest current_;
   std::vector<std::string> planned_;  ///< all tests of the program
   std::vector<FailedTest> begun_;     ///< all tests that have, with their property when they have ended

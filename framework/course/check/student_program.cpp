@@ -67,7 +67,7 @@ std::string fingerprintOf(const std::vector<fs::path>& files) {
 class Builder {
  public:
   Builder(const Manifest& manifest, const std::vector<fs::path>& sources, const CheckFolders& folders)
-      : topic_(manifest.topic), sources_(sources) {
+      : topic_(manifest.topic), callSeconds_(manifest.callSeconds), sources_(sources) {
     for (const fs::path& source : sources_) read(source);
     contract_ = folders.exercises / topic_ / (topic_ + ".h");
     parts_ = folders.build / "check" / (topic_ + ".parts");
@@ -89,6 +89,7 @@ class Builder {
   StudentProgram build() {
     StudentProgram program;
     program.students = students_;
+    program.callSeconds = callSeconds_;
     program.note = note_;
     if (!refusal_.empty()) {
       program.outcome = Outcome::Refused;
@@ -346,6 +347,7 @@ class Builder {
   }
 
   std::string topic_;
+  int callSeconds_;
   std::vector<fs::path> sources_;
   std::vector<StudentFile> students_;
   fs::path contract_;

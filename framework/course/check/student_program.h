@@ -30,7 +30,8 @@ struct StudentProgram {
   std::filesystem::path sanitized;  ///< the second build, which a warning of its kinds starts; else empty
   /// The same with another fill of what was never written, where there is reason for it.
   std::filesystem::path refilled;
-  std::vector<StudentFile> students;  ///< its sources
+  std::vector<StudentFile> students;   ///< its sources
+  int callSeconds = usualCallSeconds;  ///< processor time that one call may take [s]
 };
 
 /// Compiles and links, unless the program of these very sources stands there already. Two may run at once.

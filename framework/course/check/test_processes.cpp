@@ -1,6 +1,7 @@
 #include "course/check/test_processes.h"
 
 #include "course/check/compile_rules.h"
+#include "course/check/crash_report.h"
 #include "course/check/fault_sentences.h"
 #include "course/check/outcome.h"
 #include "course/check/report_line.h"
@@ -17,12 +18,13 @@ constexpr std::size_t testsMemory = 1UL << 30U;  ///< [bytes] as the grader's
 
 }  // namespace
 
-CommandResult runStudentProgram(const std::vector<std::string>& command, Instrumented instrumented) {
+CommandResult runStudentProgram(const std::vector<std::string>& command, Instrumented instrumented, int callSeconds) {
   ChildSpec spec;
   spec.command = command;
   spec.inheritsEnvironment = true;
   spec.environment = {
       "LC_ALL=C",
+      callSecondsVariable + std::string("=") + std::to_string(callSeconds),
       // The allocator's own cache would hand memory out without filling it.
       "GLIBC_TUNABLES=glibc.malloc.tcache_count=0",
       // After a finding, abort(), of which the program tells with the call.
@@ -36,7 +38,7 @@ CommandResult runStudentProgram(const std::vector<std::string>& command, Instrum
   if (instrumented == Instrumented::No) spec.limits.addressSpace = testsMemory;
 #endif
   const unsigned factor = instrumented == Instrumented::Yes ? sanitizedFactor : 1;
-  spec.limits.cpuSeconds = factor * testsProcessorSeconds;
+  spec.limits.cpuSeconds = factor * testsProcessorSeconds(callSeconds);
   // An endless recursion must meet the end of the stack before the end of the memory.
   spec.limits.stack = (instrumented == Instrumented::Yes ? sanitizedStackFactor : 1) * (std::size_t{8} << 20U);
   return runCommand(
@@ -71,9 +73,9 @@ bool isMachines(const TestProcess& process) {
          process.lines.end();
 }
 
-void runTests(const std::vector<std::string>& command, Instrumented instrumented,
+void runTests(const std::vector<std::string>& command, Instrumented instrumented, int callSeconds,
               const std::function<void(const TestProcess&)>& take) {
-  constexpr double enough = 10.0;  // [s] of processor time, as all calls together may take
+  const double enough = allCallsSeconds(callSeconds);  // [s] of processor time
   constexpr auto enoughWall = std::chrono::seconds(20);
   const auto start = std::chrono::steady_clock::now();
   std::string begun;
@@ -82,7 +84,7 @@ void runTests(const std::vector<std::string>& command, Instrumented instrumented
     std::vector<std::string> words = command;
     if (!begun.empty()) words.push_back("--gtest_filter=-" + begun);
     const auto run = [&] {
-      CommandResult result = runStudentProgram(words, instrumented);
+      CommandResult result = runStudentProgram(words, instrumented, callSeconds);
       auto lines = readReport(result.report);
       return TestProcess{std::move(result), std::move(lines)};
     };

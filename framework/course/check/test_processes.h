@@ -1,5 +1,6 @@
 #pragma once
 #include "base/process/child.h"
+#include "course/time_limits.h"
 
 #include <cstddef>
 #include <functional>
@@ -11,7 +12,11 @@ namespace muelle {
 
 /// Wide: the program counts its own processor time, and ends itself long before on a machine that lets it work.
 constexpr int testsWallSeconds = 60;
-constexpr unsigned testsProcessorSeconds = 15;
+
+/// Processor time [s] at which the system ends a process of the tests that has not ended itself.
+constexpr unsigned testsProcessorSeconds(int callSeconds) {
+  return static_cast<unsigned>(allCallsSeconds(callSeconds)) + 5;
+}
 
 constexpr std::size_t studentOutputLimit = 65536;  ///< [bytes] of what the student's code prints
 
@@ -26,7 +31,8 @@ constexpr Instrumented isInstrumented = Instrumented::No;
 #endif
 
 /// Runs a student's program without input, in the C locale; both streams together, the report apart.
-CommandResult runStudentProgram(const std::vector<std::string>& command, Instrumented instrumented);
+/// \param callSeconds processor time that one call may take
+CommandResult runStudentProgram(const std::vector<std::string>& command, Instrumented instrumented, int callSeconds);
 
 /// True for a signal that a student's code draws by its own work. It can send itself none but abort()'s, since what
 /// does so is refused; a filter of system calls around check raises SIGSYS.
@@ -48,7 +54,7 @@ bool isMachines(const TestProcess& process);
 
 /// Runs the tests, and hands each process that it takes to `take`: what follows a test that ended its process runs in
 /// the next, as long as they have not used up what all calls together may take.
-void runTests(const std::vector<std::string>& command, Instrumented instrumented,
+void runTests(const std::vector<std::string>& command, Instrumented instrumented, int callSeconds,
               const std::function<void(const TestProcess&)>& take);
 
 }  // namespace muelle

@@ -31,6 +31,11 @@ std::string& CallRecord::neverWritten() {
   return function;
 }
 
+std::string& CallRecord::badQuestion() {
+  static std::string text;
+  return text;
+}
+
 bool& CallRecord::printsArguments() {
   static bool prints = true;
   return prints;

@@ -34,6 +34,8 @@ class CallRecord {
   static void setLastCall(std::string call);
   /// Name of the first function that returned memory to which nothing was written, since this was last cleared, or "".
   static std::string& neverWritten();
+  /// What the latest question of a student's function was that had no answer (BadQuestion), or "".
+  static std::string& badQuestion();
   /// Whether calls print their arguments; true unless a demo runs.
   static bool& printsArguments();
 

@@ -7,6 +7,7 @@
 #include "course/testing/call_record.h"
 #include "course/testing/never_written.h"
 #include "course/testing/struct_fields.h"
+#include "course/testing/test_function.h"
 #include "harness/for_each.h"
 
 #include <exception>
@@ -28,6 +29,9 @@ class DirectFunction<Result(Args...)> {
     const CallRecord record(name_, args...);
     try {
       return call(std::forward<Args>(args)...);
+    } catch (const BadQuestion& question) {
+      CallRecord::badQuestion() = question.what();
+      throw;
     } catch (const std::exception& error) {
       rethrowBriefly(error);
     }

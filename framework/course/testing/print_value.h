@@ -39,15 +39,17 @@ std::string printValue(const Eigen::SparseMatrixBase<Derived>& m);
 
 namespace detail {
 
-/// Of longer lists the first members are shown: nobody reads a mesh of 4000 triangles, or types it.
+/// Of longer lists and vectors the first members are shown: nobody reads a mesh of 4000 triangles, or types it.
 inline constexpr std::size_t longestList = 300, membersShown = 12;
+
+inline std::string andMore(std::size_t count) { return ", /* and " + std::to_string(count) + " more */"; }
 
 template <class Range>
 std::string printList(const Range& values) {
   const std::size_t shown = values.size() > longestList ? membersShown : values.size();
   std::string text = "{";
   for (std::size_t i = 0; i < shown; ++i) text += (i > 0 ? ", " : "") + printValue(values[i]);
-  if (shown < values.size()) text += ", /* and " + std::to_string(values.size() - shown) + " more */";
+  if (shown < values.size()) text += andMore(values.size() - shown);
   return text + "}";
 }
 
@@ -99,11 +101,14 @@ std::string printValue(const Eigen::MatrixBase<Derived>& m) {
   };
   const bool isVector = Cols == 1;
   const bool isShort = isVector && (Rows == 2 || Rows == 3);
+  const bool isLong = isVector && m.rows() > static_cast<Eigen::Index>(detail::longestList);
+  const Eigen::Index shown = isLong ? static_cast<Eigen::Index>(detail::membersShown) : m.rows();
   std::string text;
-  for (Eigen::Index row = 0; row < m.rows(); ++row) {
+  for (Eigen::Index row = 0; row < shown; ++row) {
     if (row > 0) text += ", ";
     text += isVector ? rowText(row) : "{" + rowText(row) + "}";
   }
+  if (isLong) text += detail::andMore(static_cast<std::size_t>(m.rows() - shown));
   const std::string name = detail::matrixName(Rows, Cols);
   if (m.size() == 0) return name + (isVector ? "(0)" : "(" + printValue(m.rows()) + ", " + printValue(m.cols()) + ")");
   if (isShort) return name + "(" + text + ")";

@@ -195,6 +195,23 @@ bool mayBeNamed(const Verdict& verdict) {
   return !verdict.passed() && verdict.graderFault.empty() && !verdict.isConfirmed;
 }
 
+void addUnlessSaid(std::vector<NamedMistake>& mistakes, const NamedMistake& named) {
+  const bool isSaid =
+      std::ranges::any_of(mistakes, [&](const NamedMistake& known) { return known.says == named.says; });
+  if (!isSaid) mistakes.push_back(named);
+}
+
+/// What the failed tests of a criterion say that they have seen, in the manifest's words.
+void nameSeen(const Manifest& manifest, Verdict& verdict) {
+  for (const TestOutcome& test : verdict.tests) {
+    const auto words = std::ranges::find_if(manifest.misconceptions, [&](const Misconception& known) {
+      return known.id == test.seen.id && known.function == test.seen.function;
+    });
+    if (test.passed || words == manifest.misconceptions.end()) continue;
+    addUnlessSaid(verdict.mistakes, {words->id, words->function, words->says, words->hint});
+  }
+}
+
 }  // namespace
 
 void nameMistakes(GradedExercise& exercise, std::string_view contract, std::string_view source) {
@@ -205,10 +222,11 @@ void nameMistakes(GradedExercise& exercise, std::string_view contract, std::stri
     if (!named) continue;
     for (auto& [suite, verdict] : exercise.verdicts) {
       if (!mayBeNamed(verdict) || !isLostBy(verdict, function)) continue;
-      const bool isSaid =
-          std::ranges::any_of(verdict.mistakes, [&](const NamedMistake& known) { return known.says == named->says; });
-      if (!isSaid) verdict.mistakes.push_back(*named);
+      addUnlessSaid(verdict.mistakes, *named);
     }
+  }
+  for (auto& [suite, verdict] : exercise.verdicts) {
+    if (mayBeNamed(verdict)) nameSeen(exercise.manifest, verdict);
   }
 }
 

@@ -14,7 +14,7 @@ constexpr long fewestWrong = 3;
 ///
 /// A mistake that the manifest lists goes before one that any function may have; where two of them explain everything,
 /// both are said. What the manifest says of a lower function is said of another one only where the lower one was wrong
-/// as well.
+/// as well. What a test has seen at work (seen.h) is said besides, in its own criterion.
 /// \param contract the text of the exercise's header   \param source the student's
 void nameMistakes(GradedExercise& exercise, std::string_view contract, std::string_view source);
 

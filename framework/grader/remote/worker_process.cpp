@@ -18,6 +18,7 @@ namespace muelle::grader {
 
 namespace {
 
+constexpr int pipeBytes = 1 << 20;  // a message in one piece, where the system grants it
 constexpr std::size_t outputLimit = 64 * 1024;
 constexpr auto betweenLooks = std::chrono::milliseconds(25);
 constexpr std::chrono::nanoseconds endless = std::chrono::nanoseconds::max();
@@ -107,6 +108,7 @@ WorkerProcess::WorkerProcess(const Sandbox& sandbox, const WorkerHost& host, con
       out_(makePipe()),
       largestMemory_(host.sanitised ? limits.sanitisedMemory : 0),
       hasProcessBetween_(sandbox.choice() == SandboxChoice::Bubblewrap) {
+  for (const int end : {request_.write.get(), reply_.write.get()}) fcntl(end, F_SETPIPE_SZ, pipeBytes);
   ignoreClosedPipes();  // a submission that dies between two calls must not take the test process with it
   constexpr auto slack = std::chrono::seconds(3);  // our own watch comes first
   const auto cpuSeconds = std::chrono::ceil<std::chrono::seconds>(limits.load + limits.criterion + slack);

@@ -2,11 +2,13 @@
 #include "base/process/child.h"
 #include "course/check/compile_rules.h"
 #include "course/check/outcome.h"
+#include "course/time_limits.h"
 #include "grader/remote/fault.h"
 #include "grader/remote/process_watch.h"
 #include "grader/sandbox/sandbox.h"
 #include "grader/wire/frame.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -29,13 +31,22 @@ struct WorkerHost {
 /// How long a student's code may take. Limits of processor time cost points; those of wall time are wide, and passing
 /// one is the machine's doing, unless the code has put itself to sleep for ever.
 struct SessionLimits {
-  std::chrono::milliseconds call{2000};        ///< processor time of one call
-  std::chrono::milliseconds criterion{10000};  ///< processor time of all calls
-  std::chrono::milliseconds load{2000};        ///< processor time of the code that runs when the file is loaded
+  std::chrono::milliseconds call = std::chrono::seconds(usualCallSeconds);  ///< processor time of one call
+  std::chrono::milliseconds criterion = std::chrono::seconds(allCallsSeconds(usualCallSeconds));  ///< of all calls
+  std::chrono::milliseconds load{2000};  ///< processor time of the code that runs when the file is loaded
   std::chrono::milliseconds callWall{30000};
   std::chrono::milliseconds loadWall{30000};
   std::chrono::milliseconds startWall{30000};  ///< for the sandbox itself
   std::size_t sanitisedMemory = 1UL << 30;     ///< [bytes] of the sanitised host
+
+  /// For an exercise whose calls may take so long [s] of processor time. The wall is as far away as it was.
+  SessionLimits forCallsOf(int seconds) const {
+    SessionLimits limits = *this;
+    limits.call = std::chrono::seconds(seconds);
+    limits.criterion = std::chrono::seconds(allCallsSeconds(seconds));
+    limits.callWall += 3 * (limits.call - std::min(limits.call, call));
+    return limits;
+  }
 
   /// With the time that the same code takes with sanitizers in it.
   SessionLimits forSanitised() const {

@@ -45,6 +45,8 @@ std::vector<std::string> commandFor(const Workplace& workplace, const Candidate&
       toText(options.sandbox),
       "--wall-milliseconds",
       std::to_string(workplace.callWall.count()),
+      "--call-seconds",
+      std::to_string(candidate.manifest.callSeconds),
       "--seed",
       std::to_string(inputSeed(candidate.manifest, candidate.sources, options)),
   };

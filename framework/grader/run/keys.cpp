@@ -32,9 +32,9 @@ std::string digestOf(const fs::path& file) {
 /// What runs a verdict's test, its entry in the manifest included.
 std::string testingKey(const Workplace& workplace, const Manifest& manifest, const std::string& what,
                        const std::string& objectKey, const GradeOptions& options) {
-  return digest({"verdict 4", objectKey, what, digestOf(workplace.hiddenProgram(manifest.topic)),
-                 digestOf(workplace.host), digestOf(workplace.sanitisedHost),
-                 options.forAuthors ? "for authors " + options.seed : options.seed});
+  return digest({"verdict 5", objectKey, what, std::to_string(manifest.callSeconds),
+                 digestOf(workplace.hiddenProgram(manifest.topic)), digestOf(workplace.host),
+                 digestOf(workplace.sanitisedHost), options.forAuthors ? "for authors " + options.seed : options.seed});
 }
 
 void makeSeed(const fs::path& file) {

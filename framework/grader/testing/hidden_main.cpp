@@ -44,6 +44,7 @@ struct Options {
   std::string sandbox = "auto";
   std::uint64_t seed = 0;
   int wallMilliseconds = 30'000;
+  int callSeconds = muelle::usualCallSeconds;
   bool sanitised = false;
   bool refilled = false;
   bool forAuthors = false;            ///< the record holds what authors compare, too
@@ -102,6 +103,7 @@ Options readOptions(int argc, char** argv) {
   program.option("--core-locks", options.coreLocks, "").required();
   program.option("--sandbox", options.sandbox, "");
   program.option("--wall-milliseconds", options.wallMilliseconds, "");
+  program.option("--call-seconds", options.callSeconds, "");
   program.flag("--sanitised", options.sanitised, "");
   program.flag("--refilled", options.refilled, "");
   program.flag("--for-authors", options.forAuthors, "");
@@ -203,6 +205,7 @@ int run(int argc, char** argv) {
   const auto sandbox = settledSandbox(parseSandboxChoice(options.sandbox));
   SessionLimits limits;
   limits.callWall = limits.loadWall = limits.startWall = std::chrono::milliseconds(options.wallMilliseconds);
+  limits = limits.forCallsOf(options.callSeconds);
   if (options.sanitised) limits = limits.forSanitised();
   Session session(
       {sandbox.get(), options.host, options.worker, options.seed, limits, options.sanitised, options.refilled});

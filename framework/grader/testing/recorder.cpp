@@ -27,13 +27,23 @@ Mismatch mismatchOf(const ::testing::TestPartResult& part, const std::string& ca
   return mismatch;
 }
 
-/// The sentence of MUELLE_PROPERTY, or the test's name.
-std::string propertyOf(const ::testing::TestInfo& info) {
+/// What a test has noted under that name.
+std::optional<std::string> noted(const ::testing::TestInfo& info, std::string_view name) {
   const ::testing::TestResult& result = *info.result();
   for (int i = 0; i < result.test_property_count(); ++i) {
-    if (std::string_view(result.GetTestProperty(i).key()) == "property") return result.GetTestProperty(i).value();
+    if (result.GetTestProperty(i).key() == name) return result.GetTestProperty(i).value();
   }
-  return info.name();
+  return std::nullopt;
+}
+
+/// The sentence of MUELLE_PROPERTY, or the test's name.
+std::string propertyOf(const ::testing::TestInfo& info) { return noted(info, "property").value_or(info.name()); }
+
+/// What noteSeen() has noted.
+SeenMistake seenIn(const ::testing::TestInfo& info) {
+  const std::string text = noted(info, "seen").value_or("");
+  const std::size_t space = text.find(' ');
+  return space == std::string::npos ? SeenMistake() : SeenMistake{text.substr(0, space), text.substr(space + 1)};
 }
 
 }  // namespace
@@ -56,6 +66,7 @@ void Recorder::OnTestEnd(const ::testing::TestInfo& info) {
   current_.name = info.name();
   current_.property = propertyOf(info);
   current_.passed = info.result()->Passed();
+  current_.seen = seenIn(info);
   called_.resize(verdict_.tests.size());  // what the record had before has called nothing
   verdict_.tests.push_back(current_);
   called_.push_back(session_.called());

@@ -375,6 +375,14 @@ TEST_F(Check, AnEndlessLoopIsNamed) {
             "entry " + limitSentence(std::chrono::seconds(2)));
 }
 
+TEST_F(Check, TheManifestSaysHowLongACallMayTake) {
+  manifest_.callSeconds = 3;
+  EXPECT_EQ(firstMessage(
+                twice +
+                "double entry(const std::vector<double>&, int i) { volatile int n = i; while (n > 0) {} return n; }\n"),
+            "entry " + limitSentence(std::chrono::seconds(3)));
+}
+
 TEST_F(Check, ABadPointerAnExceptionAndAnExitAreNamed) {
   const std::string head = "double entry(const std::vector<double>&, int) { ";
   EXPECT_EQ(firstMessage(twice + head + "volatile double* p = nullptr; return *p; }\n"),

@@ -2,16 +2,20 @@
 #include "harness/types.h"
 
 #include <gtest/gtest.h>
+#include <cmath>
+#include <functional>
 
 using muelle::Vec3;
 
 double stretch(const Vec3& a, const Vec3& b);
 void push(Vec3& x, double by);
 double nested(double x);
-MUELLE_FUNCTIONS(stretch, push, nested)
+double derivative(const std::function<double(double)>& f, double x);
+MUELLE_FUNCTIONS(stretch, push, nested, derivative)
 
 double stretch(const Vec3& a, const Vec3& b) { return (a - b).norm(); }
 void push(Vec3& x, double by) { x.array() += by; }
+double derivative(const std::function<double(double)>& f, double x) { return (f(x + 1e-3) - f(x - 1e-3)) / 2e-3; }
 double nested(double x) {
   const std::string outer = muelle::CallRecord::current()->function();
   EXPECT_EQ(outer, "nested");
@@ -37,6 +41,18 @@ TEST(DirectFunctions, PassOutParametersOn) {
 }
 
 TEST(DirectFunctions, KnowTheInnermostCall) { EXPECT_DOUBLE_EQ(submission::nested(2.0), 2.0); }
+
+TEST(DirectFunctions, KeepWhatWasAskedThatHasNoAnswer) {
+  CallRecord::badQuestion().clear();
+  const auto root = [](double x) {
+    if (x < 0) throw BadQuestion("asks for the root of a negative number");
+    return std::sqrt(x);
+  };
+  EXPECT_NEAR(submission::derivative(root, 1), 0.5, 1e-6);
+  EXPECT_EQ(CallRecord::badQuestion(), "");
+  EXPECT_THROW(submission::derivative(root, 0), BadQuestion) << "the demo may catch it";
+  EXPECT_EQ(CallRecord::badQuestion(), "asks for the root of a negative number");
+}
 
 TEST(DirectFunctions, PrintNothingWhileADemoRuns) {
   CallRecord::setLastCall("before");

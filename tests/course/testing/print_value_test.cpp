@@ -68,6 +68,7 @@ TEST(PrintValue, ShowsTheBeginningOfLongLists) {
   EXPECT_EQ(printValue(list).size(), 900U);  // "{7, 7, ... 7}"
   list.push_back(8);
   EXPECT_EQ(printValue(list), "{7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, /* and 289 more */}");
+  EXPECT_EQ(printValue(VecX(VecX::Constant(301, 7))), "VecX{{7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, /* and 289 more */}}");
 }
 
 TEST(PrintValue, WritesSparseMatrices) {

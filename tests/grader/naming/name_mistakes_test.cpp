@@ -146,6 +146,22 @@ TEST(Naming, PrefersTheManifestsWordsAndSaysBothWhereTwoFit) {
             "the half is missing; or, with the same numbers, each spring counts twice");
 }
 
+TEST(Naming, SaysWhatALostTestHasSeenAtWork) {
+  Verdict lost, earned;
+  lost.suite = "Fast";
+  earned.suite = "Exact";
+  lost.tests = {{"Fails", "", false, {}, "", {"force", "asked_too_often"}}};
+  earned.tests = {{"Holds", "", true, {}, "", {"force", "asked_too_often"}}};
+  earned.outcome = Outcome::Passed;
+  GradedExercise exercise = exerciseOf({lost, earned});
+  exercise.manifest.misconceptions = {{"asked_too_often", "other", "of another function", ""},
+                                      {"asked_too_often", "force", "you ask too often", "take longer steps"}};
+  nameMistakes(exercise, springContract, "");
+  const NamedMistake expected{"asked_too_often", "force", "you ask too often", "take longer steps"};
+  EXPECT_EQ(exercise.verdicts.at("Fast").mistakes, std::vector<NamedMistake>{expected});
+  EXPECT_TRUE(exercise.verdicts.at("Exact").mistakes.empty());
+}
+
 TEST(Naming, BlamesNoLowerFunctionThatIsRight) {
   ForceHistory history;
   history.addMistake("sign", [](double x, double k, double L0) { return -rightForce(x, k, L0); });

@@ -149,6 +149,16 @@ TEST_F(Faults, CallsThatAreSlowTogetherRunOutOfTheCriterionsTime) {
   EXPECT_GT(calls, 1);
 }
 
+TEST(Limits, OfAnExerciseWhoseCallsTakeLonger) {
+  const SessionLimits usual, longer = usual.forCallsOf(15);
+  EXPECT_EQ(usual.forCallsOf(2).call, usual.call);
+  EXPECT_EQ(usual.forCallsOf(2).criterion, usual.criterion);
+  EXPECT_EQ(usual.forCallsOf(2).callWall, usual.callWall);
+  EXPECT_EQ(longer.call, milliseconds(15'000));
+  EXPECT_EQ(longer.criterion, milliseconds(23'000)) << "as in check";
+  EXPECT_GT(longer.callWall, 4 * longer.call) << "a busy machine costs nobody anything";
+}
+
 TEST_F(Faults, LastCallIsShownWithItsInput) {
   EXPECT_THROW(submission::misbehave(NullPointer), SubmissionFault);
   EXPECT_EQ(session().lastCall(), "misbehave(" + std::to_string(NullPointer) + ")");

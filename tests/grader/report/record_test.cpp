@@ -79,6 +79,15 @@ TEST_F(Record, KeepsWhatWasComparedAndTheOutcome) {
             (std::vector<long>{2, 3, 4, 5, 6, 7}));
 }
 
+TEST_F(Record, KeepsWhatATestHasSeen) {
+  Verdict v = verdict("HookeForce", 1, 1);
+  v.tests[1].seen = {"springForce", "asked_too_often"};
+  const auto back = travelled(v);
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(back->tests[0].seen, SeenMistake());
+  EXPECT_EQ(back->tests[1].seen, v.tests[1].seen);
+}
+
 TEST_F(Record, KeepsWhatAuthorsCompare) {
   Verdict v = verdict("HookeForce", 1, 1);
   FunctionEvidence& evidence = v.evidence["springForce"];
@@ -92,8 +101,8 @@ TEST_F(Record, KeepsWhatAuthorsCompare) {
 TEST_F(Record, OfAnotherVersionIsAsIfAbsent) {
   const Verdict v = verdict("HookeForce", 1, 0);
   EXPECT_TRUE(travelled(v).has_value());
-  EXPECT_FALSE(tampered(v, "\"version\": 8", "\"version\": 1"));
-  EXPECT_FALSE(tampered(v, "\"version\": 8", "\"release\": 7"));
+  EXPECT_FALSE(tampered(v, "\"version\": 9", "\"version\": 1"));
+  EXPECT_FALSE(tampered(v, "\"version\": 9", "\"release\": 7"));
   EXPECT_FALSE(tampered(v, "\"outcome\": \"passed\"", "\"outcome\": \"splendid\""));
 }
 

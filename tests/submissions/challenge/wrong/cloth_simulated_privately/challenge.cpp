@@ -1,0 +1,80 @@
+// loses: ClothEnough, ClothGood, ClothBest; misconception: asked_nothing
+#include "challenge.h"
+
+namespace {
+
+struct Motion {
+  VecX x, v;
+};
+
+/// Runge-Kutta 4
+void step(const Force& force, const VecX& m, double t, double h, Motion& s) {
+  auto a = [&](double time, const VecX& x, const VecX& v) { return VecX(force(time, x, v).cwiseQuotient(m)); };
+  const VecX v1 = s.v, a1 = a(t, s.x, v1);
+  const VecX v2 = s.v + h / 2 * a1, a2 = a(t + h / 2, s.x + h / 2 * v1, v2);
+  const VecX v3 = s.v + h / 2 * a2, a3 = a(t + h / 2, s.x + h / 2 * v2, v3);
+  const VecX v4 = s.v + h * a3, a4 = a(t + h, s.x + h * v3, v4);
+  s.x += h / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
+  s.v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+}
+
+}  // namespace
+
+VecX squeezedRabbit(const Force& force, const VecX& m, const VecX& x0, const VecX& v0) {
+  Motion s{x0, v0};
+  const int n = 120;
+  for (int i = 0; i < n; ++i) step(force, m, i * rabbitDuration / n, rabbitDuration / n, s);
+  return s.x;
+}
+
+VecX stiffCloth(const Force& force, const Hessian& hessian, const VecX& m, const VecX& x0, const VecX& v0) {
+  (void)force, (void)hessian;
+  // the statement says how the cloth is made: threads, soft bonds, nails
+  const double k = 6e5, g = 9.81;
+  struct Bond {
+    Eigen::Index a, b;
+    double k, square;
+  };
+  std::vector<Bond> bonds;
+  const auto rest = [](int i) { return muelle::Vec3(0.1 * (i % 10), 0, -0.1 * (i / 10)); };
+  for (int b = 0; b < 100; ++b) {
+    for (int a = 0; a < b; ++a) {
+      const double square = (rest(b) - rest(a)).squaredNorm();
+      if (square < 0.041) bonds.push_back({3 * a, 3 * b, square < 0.011 ? k : k / 100, square});
+    }
+  }
+  const int n = 7000;
+  const double h = clothDuration / n;
+  VecX x = x0, v = v0;
+  for (int step = 0; step < n; ++step) {
+    VecX F = VecX::Zero(300);
+    for (const Bond& bond : bonds) {
+      const muelle::Vec3 d = x.segment<3>(bond.b) - x.segment<3>(bond.a);
+      const muelle::Vec3 pull = bond.k / 2 * (d.squaredNorm() / bond.square - 1) * d;
+      F.segment<3>(bond.a) += pull;
+      F.segment<3>(bond.b) -= pull;
+    }
+    for (int i = 0; i < 100; ++i) F[3 * i + 2] -= m[3 * i] * g;
+    for (int i = 0; i < 10; ++i) F.segment<3>(3 * i) -= k * (x.segment<3>(3 * i) - rest(i));
+    v += (step == 0 ? h / 2 : h) * F.cwiseQuotient(m);
+    x += h * v;
+  }
+  return x;
+}
+
+VecX bouncingBall(const Force& force, const VecX& m, const VecX& x0, const VecX& v0) {
+  Motion s{x0, v0};
+  double t = 0;
+  while (t < ballDuration - 1e-12) {
+    double h = 4e-4;
+    if (s.x[2] > 0) {
+      // when it would be at the ground, without air
+      const double fall = (s.v[2] + std::sqrt(s.v[2] * s.v[2] + 2 * 9.81 * s.x[2])) / 9.81;
+      h = std::min(0.05, std::max(4e-4, fall - 4e-4));
+    }
+    h = std::min(h, ballDuration - t);
+    step(force, m, t, h, s);
+    t += h;
+  }
+  return s.x;
+}
