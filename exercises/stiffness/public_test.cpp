@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-// A spring of 2 m along x between a at the origin and b, with k = 12 N/m. With L0 = 1.5 m its tension is 6 N, which is 3
-// N/m across; with L0 = 3 m it is compressed by 12 N, which is -6 N/m across.
+// A spring of 2 m along x between a at the origin and b, with k = 12 N/m. With L0 = 1.5 m its tension is 6 N, which is
+// 3 N/m across; with L0 = 3 m it is compressed by 12 N, which is -6 N/m across.
 
 namespace {
 
@@ -79,8 +79,8 @@ TEST(ZeroLength, IsAsStiffInEveryDirection) {
 
 TEST(BackwardEuler, OfTwoNodesAtRest) {
   MUELLE_PROPERTY("two nodes of 2 kg, 1 m apart on 12 N/m, h = 0.5 s: (2 + 0.25 * 24) dv = 0.5 * 12 gives 0.75 m/s");
-  const State next = submission::backwardEulerStep({VecX{{0, 0, 0, 1, 0, 0}}, VecX::Zero(6)}, VecX{{2, 2}}, loose,
-                                                   VecX::Zero(6), 0.5);
+  const State next =
+      submission::backwardEulerStep({VecX{{0, 0, 0, 1, 0, 0}}, VecX::Zero(6)}, VecX{{2, 2}}, loose, VecX::Zero(6), 0.5);
   {
     MUELLE_LABEL("velocities", "m/s");
     EXPECT_VECTOR_NEAR(next.v, (VecX{{0.75, 0, 0, -0.75, 0, 0}}), 1e-12);
@@ -90,7 +90,8 @@ TEST(BackwardEuler, OfTwoNodesAtRest) {
 }
 
 TEST(Indefinite, IsSolvedAsItIs) {
-  MUELLE_PROPERTY("compressed by 12 N: across, 1 kg + 1 s^2 * 2 * -6 N/m = -11 kg, which a push of 11 N moves by -1 m/s");
+  MUELLE_PROPERTY(
+      "compressed by 12 N: across, 1 kg + 1 s^2 * 2 * -6 N/m = -11 kg, which a push of 11 N moves by -1 m/s");
   const State next = submission::backwardEulerStep({VecX{{0, 0, 0, 2, 0, 0}}, VecX::Zero(6)}, VecX{{1, 1}},
                                                    {{0, 1, 12, 3}}, VecX{{0, 11, 0, 0, -11, 0}}, 1);
   ASSERT_EQ(next.v.size(), 6);

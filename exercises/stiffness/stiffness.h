@@ -26,16 +26,16 @@
 
 #include <Eigen/SparseCore>
 
-MUELLE_RANGE(k, 1e-3, 1e9)     // stiffness [N/m]
-MUELLE_RANGE(L0, 0, 1000)      // rest length [m]
-MUELLE_RANGE(springs, 0, 40)   // so many
-MUELLE_RANGE(m, 1e-6, 1e6)     // mass [kg]
-MUELLE_RANGE(h, 0, 10)         // step [s]
+MUELLE_RANGE(k, 1e-3, 1e9)    // stiffness [N/m]
+MUELLE_RANGE(L0, 0, 1000)     // rest length [m]
+MUELLE_RANGE(springs, 0, 40)  // so many
+MUELLE_RANGE(m, 1e-6, 1e6)    // mass [kg]
+MUELLE_RANGE(h, 0, 10)        // step [s]
 
 using muelle::Mat3;
 using muelle::Vec3;
 using muelle::VecX;
-using Mat6 = Eigen::Matrix<double, 6, 6>;         ///< a matrix that acts on two nodes (a, b) stacked
+using Mat6 = Eigen::Matrix<double, 6, 6>;          ///< a matrix that acts on two nodes (a, b) stacked
 using SparseMatrix = Eigen::SparseMatrix<double>;  ///< a matrix that stores only what is not zero
 
 /// A spring of a net.

@@ -45,10 +45,10 @@ Mat3 identity() { return Mat3::Identity(); }
 // --- springHessian --------------------------------------------------------------------------------------------------
 
 /// A block A that is wrong; where the nodes coincide the right one stands.
-#define BLOCK_MISTAKE(id, ...)                                                                           \
-  MUELLE_MISTAKE(springHessian, id, [](const Vec3& xa, const Vec3& xb, double k, double L0) -> Mat6 {    \
-    const Stretched s(xa, xb, k, L0);                                                                    \
-    return blocks(s.L > 0 ? Mat3(__VA_ARGS__) : Mat3(k * identity()));                                   \
+#define BLOCK_MISTAKE(id, ...)                                                                        \
+  MUELLE_MISTAKE(springHessian, id, [](const Vec3& xa, const Vec3& xb, double k, double L0) -> Mat6 { \
+    const Stretched s(xa, xb, k, L0);                                                                 \
+    return blocks(s.L > 0 ? Mat3(__VA_ARGS__) : Mat3(k * identity()));                                \
   })
 
 BLOCK_MISTAKE(geometric_forgotten, k* s.along());
@@ -94,17 +94,22 @@ using Segment = Eigen::VectorBlock<VecX, 3>;
 
 }  // namespace
 
-#define FORCE_MISTAKE(id, ...)                                                                                   \
-  MUELLE_MISTAKE(elasticForce, id, [](const VecX& x, const Springs& springs) -> VecX {                           \
-    return distributed(x, springs, []([[maybe_unused]] Segment a, [[maybe_unused]] Segment b, const Vec3& F,     \
-                                      [[maybe_unused]] const Stretched& at) { __VA_ARGS__; });                   \
+#define FORCE_MISTAKE(id, ...)                                                                   \
+  MUELLE_MISTAKE(elasticForce, id, [](const VecX& x, const Springs& springs) -> VecX {           \
+    return distributed(x, springs,                                                               \
+                       []([[maybe_unused]] Segment a, [[maybe_unused]] Segment b, const Vec3& F, \
+                          [[maybe_unused]] const Stretched& at) { __VA_ARGS__; });               \
   })
 
 FORCE_MISTAKE(one_end_only, a += F);
 FORCE_MISTAKE(same_on_both_ends, a += F; b += F);
 FORCE_MISTAKE(overwritten, a = F; b = -F);
 FORCE_MISTAKE(missing_rest, a -= at.k * at.r; b += at.k * at.r; (void)F);
-FORCE_MISTAKE(rope, if (at.T() > 0) { a += F; b -= F; });
+FORCE_MISTAKE(
+    rope, if (at.T() > 0) {
+      a += F;
+      b -= F;
+    });
 MUELLE_COMMON_MISTAKE(elasticForce, wrong_sign);
 MUELLE_MISTAKE(elasticForce, unguarded, [](const VecX& x, const Springs& springs) -> VecX {
   return distributed(x, springs, [](Segment a, Segment b, const Vec3& F, const Stretched& at) {
@@ -144,15 +149,13 @@ void add(double& place, double entry, int, int) { place += entry; }
 
 }  // namespace
 
-#define ASSEMBLY_MISTAKE(id, ...)                                                                 \
-  MUELLE_MISTAKE(assembleHessian, id, [](const VecX& x, const Springs& springs) -> SparseMatrix { \
-    return __VA_ARGS__;                                                                           \
-  })
-#define ENTRY_MISTAKE(id, ...)                                                                        \
+#define ASSEMBLY_MISTAKE(id, ...) \
+  MUELLE_MISTAKE(assembleHessian, id, [](const VecX& x, const Springs& springs) -> SparseMatrix { return __VA_ARGS__; })
+#define ENTRY_MISTAKE(id, ...)                                                                                \
   ASSEMBLY_MISTAKE(id, assembled(x, springs, [](double& place, [[maybe_unused]] double entry, int i, int j) { \
-    [[maybe_unused]] const bool isDiagonal = (i < 3) == (j < 3);                                      \
-    __VA_ARGS__;                                                                                      \
-  }))
+                     [[maybe_unused]] const bool isDiagonal = (i < 3) == (j < 3);                             \
+                     __VA_ARGS__;                                                                             \
+                   }))
 
 ENTRY_MISTAKE(overwritten, place = entry);
 ENTRY_MISTAKE(coupling_missing, if (isDiagonal) place += entry);
@@ -202,12 +205,12 @@ struct Wrong {
 
 }  // namespace
 
-#define STEP_MISTAKE(id, ...)                                                                                       \
-  MUELLE_MISTAKE(backwardEulerStep, id, [](const State& now, const VecX& m, const Springs& springs, const VecX& F,  \
-                                           double h) -> State {                                                     \
-    const Wrong w(now, m, springs, F, h);                                                                           \
-    return __VA_ARGS__;                                                                                             \
-  })
+#define STEP_MISTAKE(id, ...)                                                                                    \
+  MUELLE_MISTAKE(backwardEulerStep, id,                                                                          \
+                 [](const State& now, const VecX& m, const Springs& springs, const VecX& F, double h) -> State { \
+                   const Wrong w(now, m, springs, F, h);                                                         \
+                   return __VA_ARGS__;                                                                           \
+                 })
 
 STEP_MISTAKE(step_not_squared, w.from(w.diagonal() + h * w.K, w.right()));
 STEP_MISTAKE(step_missing_in_matrix, w.from(w.diagonal() + w.K, w.right()));
@@ -230,12 +233,10 @@ STEP_MISTAKE(change_for_velocity, State{now.x + h * (w.rightOne().v - now.v), w.
 STEP_MISTAKE(other_forces_forgotten, w.from(w.diagonal() + h * h * w.K, h*(w.elastic - h * (w.K * now.v))));
 STEP_MISTAKE(springs_forgotten, w.from(w.diagonal() + h * h * w.K, h*(w.F - h * (w.K * now.v))));
 STEP_MISTAKE(trapezoidal, w.from(w.diagonal() + h * h / 4 * w.K, h*(w.all() - h / 2 * (w.K * now.v))));
-STEP_MISTAKE(moved_first, w.from(w.diagonal() + h * h * w.K,
-                                 h*(oracle::elasticForce(now.x + h * now.v, springs) + F)));
+STEP_MISTAKE(moved_first, w.from(w.diagonal() + h * h * w.K, h*(oracle::elasticForce(now.x + h * now.v, springs) + F)));
 namespace with_its_matrix {
-STEP_MISTAKE(moved_first,
-             w.from(w.diagonal() + h * h * MatX(oracle::assembleHessian(now.x + h * now.v, springs)),
-                    h*(oracle::elasticForce(now.x + h * now.v, springs) + F)));
+STEP_MISTAKE(moved_first, w.from(w.diagonal() + h * h * MatX(oracle::assembleHessian(now.x + h * now.v, springs)),
+                                 h*(oracle::elasticForce(now.x + h * now.v, springs) + F)));
 }
 STEP_MISTAKE(velocity_counted_twice, w.from(w.diagonal() + h * h * w.K, w.M.cwiseProduct(now.v) + h * w.all()));
 
@@ -261,13 +262,14 @@ struct Guards {
                           });
   }
   void addForce(double small) {
-    forces.emplace_back("elasticForce", "threshold", &oracle::elasticForce, [small](const VecX& x, const Springs& springs) {
-      return distributed(x, springs, [small](Segment a, Segment b, const Vec3& F, const Stretched& at) {
-        if (at.L < small) return;
-        a += F;
-        b -= F;
-      });
-    });
+    forces.emplace_back(
+        "elasticForce", "threshold", &oracle::elasticForce, [small](const VecX& x, const Springs& springs) {
+          return distributed(x, springs, [small](Segment a, Segment b, const Vec3& F, const Stretched& at) {
+            if (at.L < small) return;
+            a += F;
+            b -= F;
+          });
+        });
   }
 };
 
@@ -297,8 +299,10 @@ using muelle::threeDigits;
 /// Four nodes tens of metres apart.
 VecX someNodes(Random& random) {
   VecX x(12);
-  x << threeDigits(Vec3(random.vector3(4.3) + Vec3(-57, 13, 24))), threeDigits(Vec3(random.vector3(4.3) + Vec3(12, -7, 3))),
-      threeDigits(Vec3(random.vector3(4.3) + Vec3(31, 43, -26))), threeDigits(Vec3(random.vector3(4.3) + Vec3(-17, 56, 61)));
+  x << threeDigits(Vec3(random.vector3(4.3) + Vec3(-57, 13, 24))),
+      threeDigits(Vec3(random.vector3(4.3) + Vec3(12, -7, 3))),
+      threeDigits(Vec3(random.vector3(4.3) + Vec3(31, 43, -26))),
+      threeDigits(Vec3(random.vector3(4.3) + Vec3(-17, 56, 61)));
   return x;
 }
 

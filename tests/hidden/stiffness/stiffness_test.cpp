@@ -64,8 +64,8 @@ struct One {
 /// Stretched and compressed in turn, by a seventh at least, in no plane of the axes.
 One anySpring(Random& random, int turn) {
   for (;;) {
-    One s{tidy(Vec3(random.vector3(1.0) + Vec3(0.7, -0.9, 1.1))), tidy(Vec3(random.vector3(1.0) + Vec3(0.3, -0.2, 0.6))),
-          threeDigits(random.positive(20.0, 150.0)), 0};
+    One s{tidy(Vec3(random.vector3(1.0) + Vec3(0.7, -0.9, 1.1))),
+          tidy(Vec3(random.vector3(1.0) + Vec3(0.3, -0.2, 0.6))), threeDigits(random.positive(20.0, 150.0)), 0};
     const Vec3 r = s.xa - s.xb;
     if (s.length() < 0.4 || r.cwiseAbs().minCoeff() < 0.1) continue;
     s.L0 = tidy(s.length() * (turn % 2 == 0 ? random.number(0.3, 0.85) : random.number(1.15, 1.9)));
@@ -239,9 +239,9 @@ TEST(SpringHessian, BendsTheEnergy) {
     const double step = 1e-3;
     // What is left of the fourth derivative is 1e-6 times k over a length of 0.4 m or more, squared; roundings of the
     // energies are 1e-16 / 1e-6.
-    const double bend = (energyOf(s, step * d) - 2 * energyOf(s, {Eigen::Matrix<double, 6, 1>::Zero()}) +
-                         energyOf(s, -step * d)) /
-                        (step * step);
+    const double bend =
+        (energyOf(s, step * d) - 2 * energyOf(s, {Eigen::Matrix<double, 6, 1>::Zero()}) + energyOf(s, -step * d)) /
+        (step * step);
     MUELLE_LABEL("d . K d with your K, against the second difference of the energy", "N m");
     EXPECT_NUMBER_NEAR(d.dot(s.own() * d), bend, 2e-4 * s.scale() * d.squaredNorm());
   }
@@ -413,7 +413,8 @@ VecX changeOfForce(const One& s, const VecX& d) {
 }  // namespace
 
 TEST(DerivativeOfForce, IsMinusTheHessian) {
-  MUELLE_PROPERTY("when the nodes move by a small d, your elasticForce changes by -K d with the K of your springHessian");
+  MUELLE_PROPERTY(
+      "when the nodes move by a small d, your elasticForce changes by -K d with the K of your springHessian");
   MUELLE_EXPECT_ANSWERS(springHessian);
   MUELLE_EXPECT_ANSWERS(elasticForce);
   Random random = testRandom();
@@ -471,7 +472,7 @@ TEST(ZeroLength, HasNoForce) {
   ASSERT_EQ(without.size(), 9);
   for (const double L0 : {0.0, 0.73}) {
     for (const int a : {0, 1}) {
-      const Springs all = {{a, 1 - a, 31, L0}, {1, 2, 73, 0.4}, {2, 0, 47, 1.9}};
+      const Springs all = {{1, 2, 73, 0.4}, {a, 1 - a, 31, L0}, {2, 0, 47, 1.9}};
       MUELLE_LABEL("force with a spring between coincident nodes, against yours without that spring", "N");
       EXPECT_VECTOR_NEAR(submission::elasticForce(x, all), without, inStructure(100));
     }
@@ -613,7 +614,7 @@ std::vector<Case> casesOfTheWholeRange(Random& random) {
   cases.push_back(loose);
   Case thrust = someCase(random, 2);
   for (Spring& s : thrust.net.springs) s.L0 = longestRest;
-  thrust.h = 1e-3;
+  thrust.h = 1e-4;
   cases.push_back(thrust);
   cases.push_back(someCase(random, 0));
   cases.push_back(someCase(random, 40));
@@ -632,7 +633,8 @@ TEST(BackwardEuler, SolvesTheEquation) {
 }
 
 TEST(BackwardEuler, HoldsForEveryStepAndMass) {
-  MUELLE_PROPERTY("the step is right for h = 0 and for 10 s, for light and heavy nodes, without springs and with forty");
+  MUELLE_PROPERTY(
+      "the step is right for h = 0 and for 10 s, for light and heavy nodes, without springs and with forty");
   Random random = testRandom();
   for (const Case& c : casesOfTheWholeRange(random)) expectStep(c.own(), c.right(), c);
 }
@@ -697,8 +699,8 @@ TEST(BackwardEuler, AgreesWithTheSimulator) {
 
 namespace {
 
-/// The matrix that a step has solved with, found by pushing each coordinate: a push F changes dv by A^-1 h F. \return no
-/// matrix where a step is no state
+/// The matrix that a step has solved with, found by pushing each coordinate: a push F changes dv by A^-1 h F. \return
+/// no matrix where a step is no state
 MatX matrixOf(const Case& c) {
   const Eigen::Index n = c.net.x.size();
   MatX answers(n, n);
@@ -718,7 +720,8 @@ MatX matrixOf(const Case& c) {
 }  // namespace
 
 TEST(Indefinite, IsSolvedAsItIs) {
-  MUELLE_PROPERTY("a compressed spring may make the matrix indefinite: it is solved as it is, which Cholesky cannot do");
+  MUELLE_PROPERTY(
+      "a compressed spring may make the matrix indefinite: it is solved as it is, which Cholesky cannot do");
   MUELLE_EXPECT_ANSWERS(backwardEulerStep);
   Random random = testRandom();
   for (int i = 0; i < 2; ++i) {
@@ -741,6 +744,7 @@ TEST(Indefinite, IsSolvedAsItIs) {
     const MatX stiff = withStiffness(4.7);
     const double last = c.net.springs[0].k;
     ASSERT_EQ(std::min({softest.size(), soft.size(), stiff.size()}), 36);
+    if (!softest.allFinite() && !soft.allFinite()) continue;  // no F moves it: that is judged elsewhere
     const MatX expected = softest + (last - first) / (second - first) * (soft - softest);
     MUELLE_LABEL(fmt::format("matrix with which your step has solved at k = {:.3g} N/m, against what it has to be by "
                              "your steps at {:.3g} and {:.3g} N/m",
@@ -789,16 +793,17 @@ struct Pair {
 
 namespace {
 
-/// Distance of the pair from where it truly is after half a period: where it would be without spring, turned over.
-double errorAfterHalfAPeriod(int steps) {
+/// Distance of the pair from where it truly is after a third of a period, where neither x nor v is at an end.
+double errorAfterAThird(int steps) {
   const Pair pair;
-  const double T = M_PI / pair.omega();
+  const double angle = 2.1, T = angle / pair.omega();
   const std::vector<State> states = march(pair.net(), pair.v, pair.m(), T / steps, steps);
   if (!isOfSize(states.back(), 6)) return std::numeric_limits<double>::quiet_NaN();
   const Vec3 middle = 0.5 * (pair.x.head<3>() + pair.x.tail<3>()) + T / 2 * (pair.v.head<3>() + pair.v.tail<3>());
-  const Vec3 half = 0.5 * (pair.x.head<3>() - pair.x.tail<3>());
+  const Vec3 apart = (pair.x.head<3>() - pair.x.tail<3>()) * std::cos(angle) +
+                     (pair.v.head<3>() - pair.v.tail<3>()) * std::sin(angle) / pair.omega();
   VecX exact(6);
-  exact << middle - half, middle + half;
+  exact << middle + 0.5 * apart, middle - 0.5 * apart;
   return (states.back().x - exact).norm();
 }
 
@@ -807,9 +812,9 @@ double errorAfterHalfAPeriod(int steps) {
 TEST(Order, IsOne) {
   MUELLE_PROPERTY("with half the step the error is about half as large");
   MUELLE_EXPECT_ANSWERS(backwardEulerStep);
-  // The next term of the error is a twentieth of the first.
-  const double measured = std::log2(errorAfterHalfAPeriod(80) / errorAfterHalfAPeriod(160));
-  MUELLE_LABEL("order, by the errors with 80 and with 160 steps in half a period of two nodes on a spring");
+  // The next term of the error is a hundredth of the first.
+  const double measured = std::log2(errorAfterAThird(200) / errorAfterAThird(400));
+  MUELLE_LABEL("order, by the errors with 200 and with 400 steps in a third of a swing of two nodes on a spring");
   EXPECT_NUMBER_NEAR(measured, 1, 0.15);
 }
 
@@ -824,7 +829,8 @@ TEST(NumericalDamping, IsThatOfTheFormula) {
     const std::vector<State> states = march(pair.net(), pair.v, pair.m(), z / pair.omega(), steps);
     const double expected = std::pow(1 + z * z, -steps);
     MUELLE_LABEL(fmt::format("energy after {} steps with h omega = {}, over that at the start", steps, z));
-    EXPECT_NUMBER_NEAR(pair.energy(states.back()) / pair.energy(states.front()), expected, inStructure(expected) * steps);
+    EXPECT_NUMBER_NEAR(pair.energy(states.back()) / pair.energy(states.front()), expected,
+                       inStructure(expected) * steps);
   }
 }
 
@@ -846,16 +852,19 @@ double energyOf(const Net& net, const VecX& m, const State& state) {
 }  // namespace
 
 TEST(Stability, HasNoLimit) {
-  MUELLE_PROPERTY("the energy of springs without rest length grows in no step, however long: explicit methods end at "
-                  "h omega = 2");
+  MUELLE_PROPERTY(
+      "the energy of springs without rest length grows in no step, however long: explicit methods end at "
+      "h omega = 2");
   MUELLE_EXPECT_ANSWERS(backwardEulerStep);
-  Random random = testRandom();
+  // A ring of four unequal nodes that flies, turns and widens.
+  Net net{VecX(12), {{0, 1, 80, 0}, {2, 1, 73, 0}, {2, 3, 88, 0}, {3, 0, 77, 0}}};
+  net.x << 0.61, 0.43, -0.17, -0.47, 0.58, 0.23, -0.53, -0.39, -0.31, 0.38, -0.66, 0.29;
+  const VecX m{{0.37, 0.63, 0.89, 1.15}};
+  VecX v(12);
+  v << 1.37, 0.07, 0.71, 0.23, 0.26, 1.13, 0.11, -0.83, 0.57, 1.12, -1.09, 1.19;
+  const double omega = std::sqrt(2 * 88 / m.minCoeff());  // none is faster
   for (const double z : {3.0, 50.0, 1000.0}) {
-    Net net{someNodes(random, 4), {}};
-    for (int i = 0; i < 4; ++i) net.springs.push_back({i, (i + 1) % 4, threeDigits(random.positive(70.0, 90.0)), 0});
-    const VecX m = someMasses(random, 4);
-    const double omega = std::sqrt(2 * 80 / m.minCoeff());
-    const std::vector<State> states = march(net, someNumbers(random, 12, 0.4, 1.7), m, tidy(z / omega, 1e4), 20);
+    const std::vector<State> states = march(net, v, m, tidy(z / omega, 1e4), 20);
     double E = energyOf(net, m, states.front());
     const double start = E;
     for (std::size_t i = 1; i < states.size(); ++i) {

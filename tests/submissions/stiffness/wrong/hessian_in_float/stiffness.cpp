@@ -1,4 +1,4 @@
-// loses: SpringHessian; misconception: single_precision
+// loses: SpringHessian, ZeroLength; misconception: single_precision
 #include "stiffness.h"
 
 #include <Eigen/LU>

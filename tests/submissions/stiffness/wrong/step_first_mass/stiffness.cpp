@@ -1,4 +1,4 @@
-// loses: BackwardEuler, Momentum; misconception: first_mass_for_all
+// loses: BackwardEuler, Stability, Momentum; misconception: first_mass_for_all
 #include "stiffness.h"
 
 #include <Eigen/LU>

@@ -1,4 +1,4 @@
-// loses: BackwardEuler, Indefinite, Order, NumericalDamping; misconception: step_missing_in_matrix
+// loses: BackwardEuler, Order, NumericalDamping, Stability; misconception: step_missing_in_matrix
 #include "stiffness.h"
 
 #include <Eigen/LU>

@@ -1,4 +1,4 @@
-// loses: BackwardEuler, Indefinite, Order, NumericalDamping; misconception: step_not_squared
+// loses: BackwardEuler, NumericalDamping, Stability; misconception: step_not_squared
 #include "stiffness.h"
 
 #include <Eigen/LU>

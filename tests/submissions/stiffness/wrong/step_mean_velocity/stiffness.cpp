@@ -1,4 +1,4 @@
-// loses: BackwardEuler, NumericalDamping; misconception: position_by_mean_velocity
+// loses: BackwardEuler, NumericalDamping, Stability; misconception: position_by_mean_velocity
 #include "stiffness.h"
 
 #include <Eigen/LU>

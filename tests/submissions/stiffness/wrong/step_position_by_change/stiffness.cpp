@@ -1,4 +1,4 @@
-// loses: BackwardEuler, Order, NumericalDamping; misconception: position_by_change
+// loses: BackwardEuler, Order, NumericalDamping, Stability; misconception: position_by_change
 #include "stiffness.h"
 
 #include <Eigen/LU>

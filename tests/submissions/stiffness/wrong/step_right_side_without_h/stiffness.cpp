@@ -1,4 +1,4 @@
-// loses: BackwardEuler, Order, NumericalDamping; misconception: right_side_without_step
+// loses: BackwardEuler, Order, NumericalDamping, Stability, Momentum; misconception: right_side_without_step
 #include "stiffness.h"
 
 #include <Eigen/LU>

@@ -1,4 +1,4 @@
-// loses: BackwardEuler, Order, NumericalDamping; misconception: springs_forgotten
+// loses: BackwardEuler, Order, NumericalDamping, Stability; misconception: springs_forgotten
 #include "stiffness.h"
 
 #include <Eigen/LU>

@@ -1,4 +1,4 @@
-// loses: BackwardEuler, Order, NumericalDamping; misconception: trapezoidal
+// loses: BackwardEuler, NumericalDamping, Stability; misconception: trapezoidal
 #include "stiffness.h"
 
 #include <Eigen/LU>

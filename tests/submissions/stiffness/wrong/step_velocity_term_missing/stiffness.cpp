@@ -1,4 +1,4 @@
-// loses: BackwardEuler, NumericalDamping; misconception: velocity_term_missing
+// loses: BackwardEuler, NumericalDamping, Stability; misconception: velocity_term_missing
 #include "stiffness.h"
 
 #include <Eigen/LU>

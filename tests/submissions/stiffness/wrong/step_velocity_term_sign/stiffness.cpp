@@ -1,4 +1,4 @@
-// loses: BackwardEuler, NumericalDamping; misconception: velocity_term_sign
+// loses: BackwardEuler, NumericalDamping, Stability; misconception: velocity_term_sign
 #include "stiffness.h"
 
 #include <Eigen/LU>

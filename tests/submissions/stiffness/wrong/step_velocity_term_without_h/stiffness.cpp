@@ -1,4 +1,4 @@
-// loses: BackwardEuler, Order, NumericalDamping; misconception: velocity_term_without_step
+// loses: BackwardEuler, Order, NumericalDamping, Stability; misconception: velocity_term_without_step
 #include "stiffness.h"
 
 #include <Eigen/LU>
