@@ -1,4 +1,4 @@
-// loses: SpringHessian, ZeroLength; misconception: difference_quotient or none
+// loses: SpringHessian, ZeroLength; misconception: difference_quotient
 #include "stiffness.h"
 
 #include <Eigen/LU>
