@@ -728,7 +728,7 @@ TEST(Indefinite, IsSolvedAsItIs) {
     Case c = someCase(random, 1);
     c.net = {someNodes(random, 2), {{i, 1 - i, 0, 0}}};
     c.m = someMasses(random, 2);
-    c.v = VecX::Zero(6);
+    c.v = c.F = VecX::Zero(6);
     const double L = (c.net.node(0) - c.net.node(1)).norm();
     c.net.springs[0].L0 = threeDigits(L * random.number(2.4, 3.2));
     const double across = c.net.springs[0].L0 / L - 1;
