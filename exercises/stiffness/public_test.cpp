@@ -130,9 +130,9 @@ TEST(NumericalDamping, DividesTheEnergy) {
 }
 
 TEST(Stability, HasNoLimit) {
-  MUELLE_PROPERTY("with h omega = 400 the swing is gone after one step: 8 J over 1 + 160000");
-  MUELLE_LABEL("energy after a step of 100 s", "J");
-  EXPECT_NUMBER_NEAR(energy(swung(100, 1)), 8 / 160001.0, 1e-9);
+  MUELLE_PROPERTY("with h omega = 40 the swing is gone after one step: 8 J over 1 + 1600");
+  MUELLE_LABEL("energy after a step of 10 s", "J");
+  EXPECT_NUMBER_NEAR(energy(swung(10, 1)), 8 / 1601.0, 1e-9);
 }
 
 TEST(Momentum, ComesFromOutside) {

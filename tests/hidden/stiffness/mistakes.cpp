@@ -7,6 +7,7 @@
 #include "grader/testing/arguments.h"
 #include "grader/testing/mistakes.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include <limits>
@@ -104,6 +105,13 @@ using Segment = Eigen::VectorBlock<VecX, 3>;
 FORCE_MISTAKE(one_end_only, a += F);
 FORCE_MISTAKE(same_on_both_ends, a += F; b += F);
 FORCE_MISTAKE(overwritten, a = F; b = -F);
+namespace but_for_none {
+FORCE_MISTAKE(
+    overwritten, if (at.L > 0) {
+      a = F;
+      b = -F;
+    });
+}
 FORCE_MISTAKE(missing_rest, a -= at.k * at.r; b += at.k * at.r; (void)F);
 FORCE_MISTAKE(
     rope, if (at.T() > 0) {
@@ -238,6 +246,9 @@ namespace with_its_matrix {
 STEP_MISTAKE(moved_first, w.from(w.diagonal() + h * h * MatX(oracle::assembleHessian(now.x + h * now.v, springs)),
                                  h*(oracle::elasticForce(now.x + h * now.v, springs) + F)));
 }
+STEP_MISTAKE(cholesky, MatX(w.diagonal() + h * h * w.K).llt().info() == Eigen::Success
+                           ? w.rightOne()
+                           : State{VecX::Constant(now.x.size(), undefined), VecX::Constant(now.x.size(), undefined)});
 STEP_MISTAKE(velocity_counted_twice, w.from(w.diagonal() + h * h * w.K, w.M.cwiseProduct(now.v) + h * w.all()));
 
 // --- guards ---------------------------------------------------------------------------------------------------------
@@ -296,7 +307,7 @@ namespace {
 using muelle::Random;
 using muelle::threeDigits;
 
-/// Four nodes tens of metres apart.
+/// Four nodes tens of metres apart, more than 45 from the next.
 VecX someNodes(Random& random) {
   VecX x(12);
   x << threeDigits(Vec3(random.vector3(4.3) + Vec3(-57, 13, 24))),
@@ -306,11 +317,12 @@ VecX someNodes(Random& random) {
   return x;
 }
 
+/// All of them stretched: a step in which one is compressed may be beyond a Cholesky factorisation.
 Springs someSprings(Random& random) {
   Springs springs = {{0, 1, 0, 0}, {2, 1, 0, 0}, {2, 3, 0, 0}};
   for (Spring& s : springs) {
     s.k = random.rounded(20.0, 200.0);
-    s.L0 = random.rounded(31.0, 130.0);
+    s.L0 = random.rounded(21.0, 43.0);
   }
   return springs;
 }

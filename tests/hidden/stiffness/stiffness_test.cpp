@@ -483,25 +483,29 @@ TEST(ZeroLength, IsNoneHoweverShort) {
   MUELLE_PROPERTY("a spring of any length above 0 has a direction: its stiffness across it is k (1 - L0 / L)");
   MUELLE_EXPECT_ANSWERS(springHessian);
   const double L0 = 0.83;
-  const auto across = [&](const Vec3& xa, const Vec3& xb) {
-    const One s{xa, xb, 37, L0};
+  const auto atLength = [&](double length) {
+    const One s{length * line, Vec3(0, 0, 0), 37, L0};
     return s.across().dot(s.ownBlock() * s.across());
   };
-  const auto atLength = [&](double length) { return across(length * line, Vec3(0, 0, 0)); };
   // The student's own law, by two lengths at which nothing is special: T over a power of L, or the same at any length.
   const double usual = atLength(0.3);
   const double power = std::log(atLength(0.2) / (0.2 - L0) * (0.3 - L0) / usual) / std::log(0.3 / 0.2);
   const double whole = std::isfinite(power) ? std::round(power) : 0;
   const auto expectUsual = [&](double length, const Vec3& xa, const Vec3& xb) {
-    const double got = across(xa, xb);
+    const One s{xa, xb, 37, L0};
+    const Mat3 A = s.ownBlock();
+    const double got = s.across().dot(A * s.across());
     const double byPower = usual * (length - L0) / (0.3 - L0) * std::pow(0.3 / length, whole);
     const double expected = std::abs(got - byPower) < std::abs(got - usual) || got != got ? byPower : usual;
     MUELLE_LABEL(fmt::format("stiffness across a spring of {:.3g} m, by yours across springs of 0.3 and 0.2 m", length),
                  "N/m");
-    EXPECT_NUMBER_NEAR(got, expected, inStructure(37 + std::abs(expected)));
+    // What a block has along the spring leaves its roundings across it.
+    const double rounding = A.allFinite() ? inRounding(A.cwiseAbs().maxCoeff()) : 0;
+    EXPECT_NUMBER_NEAR(got, expected, inStructure(37 + std::abs(expected)) + rounding);
   };
   for (const double length : lengthLadder(shortest)) expectUsual(length, length * line, Vec3(0, 0, 0));
   for (const double unit : exactLengthLadder()) {  // away from the origin
+    if (7 * unit > L0) continue;                   // what is special in a stretched spring is judged elsewhere
     expectUsual(7 * unit, Vec3(1.25, -1.75, 1.5) + unit * Vec3(2, -3, 6), Vec3(1.25, -1.75, 1.5));
   }
 }
@@ -519,6 +523,7 @@ TEST(ZeroLength, HasAForceHoweverShort) {
   };
   for (const double length : lengthLadder(shortest)) expectUsual(length, length * line, Vec3(0, 0, 0));
   for (const double unit : exactLengthLadder()) {
+    if (7 * unit > L0) continue;  // what is special in a stretched spring is judged elsewhere
     expectUsual(7 * unit, Vec3(1.25, -1.75, 1.5) + unit * Vec3(2, -3, 6), Vec3(1.25, -1.75, 1.5));
   }
 }
@@ -812,8 +817,13 @@ double errorAfterAThird(int steps) {
 TEST(Order, IsOne) {
   MUELLE_PROPERTY("with half the step the error is about half as large");
   MUELLE_EXPECT_ANSWERS(backwardEulerStep);
+  const double coarse = errorAfterAThird(200), fine = errorAfterAThird(400);
+  {
+    MUELLE_LABEL("distance from where the nodes truly are, at the end of a third of a swing in 200 steps", "m");
+    ASSERT_NUMBER_NEAR(coarse, 0, 1);  // two explosions may have any ratio
+  }
   // The next term of the error is a hundredth of the first.
-  const double measured = std::log2(errorAfterAThird(200) / errorAfterAThird(400));
+  const double measured = std::log2(coarse / fine);
   MUELLE_LABEL("order, by the errors with 200 and with 400 steps in a third of a swing of two nodes on a spring");
   EXPECT_NUMBER_NEAR(measured, 1, 0.15);
 }
@@ -863,7 +873,7 @@ TEST(Stability, HasNoLimit) {
   VecX v(12);
   v << 1.37, 0.07, 0.71, 0.23, 0.26, 1.13, 0.11, -0.83, 0.57, 1.12, -1.09, 1.19;
   const double omega = std::sqrt(2 * 88 / m.minCoeff());  // none is faster
-  for (const double z : {3.0, 50.0, 1000.0}) {
+  for (const double z : {3.0, 30.0, 200.0}) {
     const std::vector<State> states = march(net, v, m, tidy(z / omega, 1e4), 20);
     double E = energyOf(net, m, states.front());
     const double start = E;
@@ -883,7 +893,7 @@ TEST(Momentum, IsChangedByOtherForcesAlone) {
   MUELLE_EXPECT_OF_USE(backwardEulerStep);
   Random random = testRandom();
   for (int i = 0; i < 4; ++i) {
-    const Case c = someCase(random, 2 + i, Strain::Both);
+    const Case c = someCase(random, 2 + i);
     const State next = c.own();
     ASSERT_TRUE(isOfSize(next, c.net.x.size()));
     Vec3 change = Vec3::Zero(), push = Vec3::Zero();

@@ -1,4 +1,4 @@
-// loses: Indefinite; misconception: none
+// loses: Indefinite; misconception: cholesky
 // the matrix is symmetric, so half of the work will do
 #include "stiffness.h"
 
