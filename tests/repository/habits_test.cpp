@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 /// The files below tests/, without the folders that are about one exercise, without what plays a student's part, and
 /// without this room, which names what it refuses.
 std::vector<fs::path> sourcesOfTests() {
-  const std::set<std::string> apart = {"submissions", "hidden", "repository", "fixture"};
+  std::set<std::string> apart = {"submissions", "hidden", "repository", "fixture"};
+  for (const muelle::Manifest& exercise : muelle::readCourse(source / "exercises")) apart.insert(exercise.topic);
   const std::set<std::string> kinds = {".h", ".cpp", ".sh", ".txt"};
   std::vector<fs::path> files;
   for (auto entry = fs::recursive_directory_iterator(source / "tests"); entry != fs::end(entry); ++entry) {
