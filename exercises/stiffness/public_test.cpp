@@ -13,9 +13,11 @@ using muelle::MatX;
 const Vec3 a(0, 0, 0), b(2, 0, 0);
 
 Mat6 blocks(const Vec3& diagonal) {
-  const Mat3 A = diagonal.asDiagonal();
-  Mat6 K;
-  K << A, -A, -A, A;
+  Mat6 K = Mat6::Zero();
+  for (int i = 0; i < 3; ++i) {
+    K(i, i) = K(i + 3, i + 3) = diagonal[i];
+    K(i, i + 3) = K(i + 3, i) = -diagonal[i];
+  }
   return K;
 }
 

@@ -17,6 +17,7 @@
 #include "grader/testing/listed_mistakes.h"
 #include "grader/testing/of_use.h"
 #include "grader/testing/recorder.h"
+#include "grader/testing/seen.h"
 #include "grader/testing/shrink.h"
 #include "grader/testing/wrong_answers.h"
 
@@ -61,6 +62,7 @@ int list() {
   for (const auto& [function, history] : CallHistoryBase::all()) {
     for (const std::string& id : history->mistakes()) std::cout << "mistake " << function << ' ' << id << '\n';
   }
+  for (const auto& [function, id] : mistakesToBeSeen()) std::cout << "mistake " << function << ' ' << id << '\n';
   return 0;
 }
 

@@ -3,3 +3,30 @@
 /// themselves (seen.h). Here the calls to the worker are compiled.
 
 #include "challenge.h"
+
+#include "grader/testing/seen.h"
+
+MUELLE_SEEN_MISTAKE(squeezedRabbit, asked_nothing);
+MUELLE_SEEN_MISTAKE(squeezedRabbit, steps_too_long);
+MUELLE_SEEN_MISTAKE(squeezedRabbit, asked_too_often);
+MUELLE_SEEN_MISTAKE(squeezedRabbit, explicit_euler);
+MUELLE_SEEN_MISTAKE(squeezedRabbit, symplectic_euler);
+MUELLE_SEEN_MISTAKE(squeezedRabbit, another_time);
+MUELLE_SEEN_MISTAKE(squeezedRabbit, too_inexact);
+
+MUELLE_SEEN_MISTAKE(stiffCloth, asked_nothing);
+MUELLE_SEEN_MISTAKE(stiffCloth, steps_too_long);
+MUELLE_SEEN_MISTAKE(stiffCloth, asked_for_ever);
+MUELLE_SEEN_MISTAKE(stiffCloth, asked_too_often);
+MUELLE_SEEN_MISTAKE(stiffCloth, backward_euler);
+MUELLE_SEEN_MISTAKE(stiffCloth, another_time);
+MUELLE_SEEN_MISTAKE(stiffCloth, too_inexact);
+
+MUELLE_SEEN_MISTAKE(bouncingBall, asked_nothing);
+MUELLE_SEEN_MISTAKE(bouncingBall, draught_left_out);
+MUELLE_SEEN_MISTAKE(bouncingBall, steps_too_long);
+MUELLE_SEEN_MISTAKE(bouncingBall, asked_for_ever);
+MUELLE_SEEN_MISTAKE(bouncingBall, asked_too_often);
+MUELLE_SEEN_MISTAKE(bouncingBall, explicit_euler);
+MUELLE_SEEN_MISTAKE(bouncingBall, another_time);
+MUELLE_SEEN_MISTAKE(bouncingBall, too_inexact);
