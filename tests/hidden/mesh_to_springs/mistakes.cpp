@@ -20,6 +20,11 @@ Edges sorted(Edges edges) {
   std::ranges::sort(edges);
   return edges;
 }
+/// Of equal ones that stand next to each other the first.
+Edges withoutRepeats(Edges edges) {
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
 Edges each(const std::set<Edge>& edges) { return {edges.begin(), edges.end()}; }
 
 /// Every side of every triangle, as it stands there: (a, b), (b, c), (c, a) of one after the other.
@@ -56,6 +61,15 @@ Edges sharedBy(const std::vector<Triangle>& triangles, int least, int most) {
     if (least <= count && count <= most) kept.push_back(edge);
   }
   return kept;
+}
+
+/// By one number an edge, a times the base and b: nodes of a larger number than the base come back as others.
+Edges byKeys(const std::vector<Triangle>& triangles, int base) {
+  std::set<int> keys;
+  for (const Edge& side : orderedSides(triangles)) keys.insert(base * side[0] + side[1]);
+  Edges edges;
+  for (const int key : keys) edges.push_back({key / base, key % base});
+  return edges;
 }
 
 }  // namespace
@@ -117,16 +131,6 @@ MUELLE_MISTAKE(meshEdges, pairs_only, [](MeshOf triangles) {
   }
   return kept;
 });
-namespace {
-/// By one number an edge, a times the base and b: nodes of a larger number than the base come back as others.
-Edges byKeys(MeshOf triangles, int base) {
-  std::set<int> keys;
-  for (const Edge& side : orderedSides(triangles)) keys.insert(base * side[0] + side[1]);
-  Edges edges;
-  for (const int key : keys) edges.push_back({key / base, key % base});
-  return edges;
-}
-}  // namespace
 MUELLE_MISTAKE(meshEdges, keys_too_small, [](MeshOf triangles) { return byKeys(triangles, 1000); });
 namespace of_a_hundred {
 MUELLE_MISTAKE(meshEdges, keys_too_small, [](MeshOf triangles) { return byKeys(triangles, 100); });
@@ -182,17 +186,11 @@ MUELLE_MISTAKE(meshEdges, all_pairs, [](MeshOf triangles) {
   }
   return pairs;
 });
-MUELLE_MISTAKE(meshEdges, neighbours_in_list_only, [](MeshOf triangles) {
-  Edges edges = orderedSides(triangles);
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
-});
+MUELLE_MISTAKE(meshEdges, neighbours_in_list_only,
+               [](MeshOf triangles) { return withoutRepeats(orderedSides(triangles)); });
 namespace sorted_too_late {
-MUELLE_MISTAKE(meshEdges, neighbours_in_list_only, [](MeshOf triangles) {
-  Edges edges = orderedSides(triangles);
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return sorted(edges);
-});
+MUELLE_MISTAKE(meshEdges, neighbours_in_list_only,
+               [](MeshOf triangles) { return sorted(withoutRepeats(orderedSides(triangles))); });
 }
 
 // --- grids ----------------------------------------------------------------------------------------------------------
@@ -247,11 +245,6 @@ Edges rowsForColumns(int rows, int columns, const Edges& right) {
     edges.push_back(ordered(number(edge[0]), number(edge[1])));
   }
   return sorted(edges);
-}
-
-Edges withoutRepeats(Edges edges) {
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
 }
 
 /// Nothing for a single row or column.

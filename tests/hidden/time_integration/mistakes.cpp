@@ -194,18 +194,20 @@ struct VerletMethod {
   double parabola = 0.5, first = 0.5, second = 0.5;
   double time = 1.0;  ///< of the second question, in parts of h
   bool asksOld = false;
+  bool dividesFirst = true, dividesSecond = true;  ///< whether the force is divided by the masses
 };
 
 State verlet(const VerletMethod& method, const PositionForce& force, const VecX& m, const State& now, double h) {
-  const VecX a0 = force(now.t, now.x).cwiseQuotient(m);
+  const auto divided = [&m](const VecX& F, bool divides) { return divides ? VecX(F.cwiseQuotient(m)) : F; };
+  const VecX a0 = divided(force(now.t, now.x), method.dividesFirst);
   VecX x = now.x + h * now.v, v = now.v;
   const auto add = [h](VecX& to, double weight, const VecX& a) {  // 0 times what has exploded is no number
     if (weight != 0) to += h * weight * a;
   };
   add(x, h * method.parabola, a0);
   add(v, method.first, a0);
-  const VecX a1 = force(now.t + method.time * h, method.asksOld ? now.x : x).cwiseQuotient(m);
-  add(v, method.second, a1);
+  const VecX F1 = force(now.t + method.time * h, method.asksOld ? now.x : x);
+  add(v, method.second, divided(F1, method.dividesSecond));
   return {now.t + h, x, v};
 }
 
@@ -226,34 +228,25 @@ VERLET_MISTAKE(time_of_middle, .time = 0.5);
 VERLET_MISTAKE(old_position_asked, .asksOld = true);
 VERLET_MISTAKE(symplectic_euler, .parabola = 1, .first = 1, .second = 0);
 
-#define OWN_VERLET_MISTAKE(id, ...) \
-  MUELLE_MISTAKE(verletStep, id,    \
-                 [](const PositionForce& force, const VecX& m, const State& now, double h) -> State { __VA_ARGS__ })
-
 /// One of the two forces is divided by the masses, the other is not.
-namespace of_the_second_force {
-OWN_VERLET_MISTAKE(mass_missing, {
-  const VecX a0 = force(now.t, now.x).cwiseQuotient(m), x = now.x + h * now.v + h * h / 2 * a0;
-  return {now.t + h, x, now.v + h / 2 * (a0 + force(now.t + h, x))};
-});
+namespace of_one_force {
+VERLET_MISTAKE(mass_missing, .dividesSecond = false);
 }
-namespace of_the_first_force {
-OWN_VERLET_MISTAKE(mass_missing, {
-  const VecX F0 = force(now.t, now.x), x = now.x + h * now.v + h * h / 2 * F0;
-  return {now.t + h, x, now.v + h / 2 * (F0 + VecX(force(now.t + h, x).cwiseQuotient(m)))};
-});
+namespace of_the_other_force {
+VERLET_MISTAKE(mass_missing, .dividesFirst = false);
 }
 /// What is held stays where it is: nothing accelerates it, and it has no velocity on the way.
-OWN_VERLET_MISTAKE(three_coordinates, {
-  const Eigen::Index held = std::max<Eigen::Index>(0, m.size() - 3);
-  VecX heavy = m;
-  State still = now;
-  heavy.tail(held).setConstant(1e300);
-  still.v.tail(held).setZero();
-  State next = oracle::verletStep(force, heavy, still, h);
-  next.v.tail(held) = now.v.tail(held);
-  return next;
-});
+MUELLE_MISTAKE(verletStep, three_coordinates,
+               [](const PositionForce& force, const VecX& m, const State& now, double h) -> State {
+                 const Eigen::Index held = std::max<Eigen::Index>(0, m.size() - 3);
+                 VecX heavy = m;
+                 State still = now;
+                 heavy.tail(held).setConstant(1e300);
+                 still.v.tail(held).setZero();
+                 State next = oracle::verletStep(force, heavy, still, h);
+                 next.v.tail(held) = now.v.tail(held);
+                 return next;
+               });
 
 // ------------------------------------------------------------------------------------------- arguments in general
 // position
