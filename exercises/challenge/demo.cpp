@@ -46,8 +46,7 @@ Run runOf(const Scene& scene, const std::vector<scenes::End>& right, const Funct
 }
 
 Run rabbitRun() {
-  const auto mesh = muelle::readTriangleMesh(MUELLE_EXERCISE_FOLDER "/../mesh_to_springs/rabbit.off");
-  const scenes::Rabbit scene({}, mesh);
+  const scenes::Rabbit scene({}, scenes::rabbitMesh());
   return runOf(scene, scenes::rabbitEnds, [&](const Force& force, const auto&) {
     return submission::squeezedRabbit(force, scene.masses(), scene.positions(), scene.velocities());
   });

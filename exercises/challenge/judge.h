@@ -13,6 +13,12 @@
 
 namespace scenes {
 
+inline const muelle::TriangleMesh& rabbitMesh() {
+  static const muelle::TriangleMesh mesh =
+      muelle::readTriangleMesh(MUELLE_EXERCISE_FOLDER "/../mesh_to_springs/rabbit.off");
+  return mesh;
+}
+
 /// What has been asked so far.
 struct Tally {
   long forces = 0, hessians = 0;
@@ -51,12 +57,6 @@ class Asked {
       count(*tally, x);
       return scene->hessian(t, x);
     };
-  }
-
-  /// Largest distance of a coordinate from where it should be [m]; not a number where there are not as many.
-  static double errorOf(const VecX& end, const VecX& right) {
-    if (end.size() != right.size()) return std::numeric_limits<double>::quiet_NaN();
-    return (end - right).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
   }
 
  private:

@@ -27,15 +27,10 @@ using scenes::Ball;
 using scenes::Cloth;
 using scenes::Rabbit;
 
-const muelle::TriangleMesh& mesh() {
-  static const muelle::TriangleMesh read = muelle::readTriangleMesh(MUELLE_RABBIT);
-  return read;
-}
-
 /// Seed 0 has the public numbers.
 Rabbit rabbitOf(std::uint64_t seed) {
   muelle::Random random(seed);
-  return {seed == 0 ? scenes::RabbitNumbers() : scenes::rabbitFrom(random), mesh()};
+  return {seed == 0 ? scenes::RabbitNumbers() : scenes::rabbitFrom(random), scenes::rabbitMesh()};
 }
 Cloth clothOf(std::uint64_t seed) {
   muelle::Random random(seed);

@@ -3,6 +3,8 @@
 /// The methods of the challenge's work-precision plots, each with steps of one length but for the last.
 
 #include "challenge.h"
+#include "hidden/challenge/dormand_prince.h"
+#include "hidden/challenge/low_order.h"
 
 #include <Eigen/SparseCholesky>
 
@@ -23,14 +25,7 @@ struct Problem {
 };
 
 inline VecX explicitEuler(const Problem& p, int steps) {
-  const double h = p.duration / steps;
-  VecX x = p.x0, v = p.v0;
-  for (int i = 0; i < steps; ++i) {
-    const VecX a = p.acceleration(i * h, x, v);
-    x += h * v;
-    v += h * a;
-  }
-  return x;
+  return low_order::explicitEuler(p.force, p.m, p.x0, p.v0, p.duration, steps);
 }
 
 /// The acceleration at the end of a step is that of the next beginning; it is asked with the velocity that the first
@@ -76,19 +71,8 @@ inline VecX nystrom(const Problem& p, int steps) {
   return x;
 }
 
-/// The linearised equation (M + h^2 K) dv = h (F - h K v): one Hessian and one force a step.
 inline VecX backwardEuler(const Problem& p, int steps) {
-  const double h = p.duration / steps;
-  VecX x = p.x0, v = p.v0;
-  for (int i = 0; i < steps; ++i) {
-    const Eigen::SparseMatrix<double> K = p.hessian(i * h, x);
-    Eigen::SparseMatrix<double> A = h * h * K;
-    A.diagonal() += p.m;
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(A);
-    v += solver.solve(h * (p.force(i * h, x, v) - h * (K * v)));
-    x += h * v;
-  }
-  return x;
+  return low_order::backwardEuler(p.force, p.hessian, p.m, p.x0, p.v0, p.duration, steps);
 }
 
 /// Implicit midpoint; the middle is found by one step of Newton from x + h/2 v.
@@ -135,16 +119,7 @@ inline VecX rosenbrock(const Problem& p, int steps) {
 /// Dormand's and Prince's method of order five: its last slope is the next first one, and steps have an estimated error
 /// below 10^-digits.
 inline VecX dormandPrince(const Problem& p, int digits) {
-  constexpr std::array<double, 7> c = {0, 0.2, 0.3, 0.8, 8.0 / 9, 1, 1};
-  constexpr double a[7][6] = {{},
-                              {1.0 / 5},
-                              {3.0 / 40, 9.0 / 40},
-                              {44.0 / 45, -56.0 / 15, 32.0 / 9},
-                              {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
-                              {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
-                              {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
-  constexpr std::array<double, 7> off = {71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
-                                         -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+  using namespace dormand_prince;
   const double tolerance = std::pow(10.0, -digits);
   const Eigen::Index n = p.m.size();
   const auto slope = [&](double t, const VecX& y) {

@@ -30,7 +30,7 @@ class Judgement {
       noteSeen(whyStopped());
       throw;
     }
-    const double error = Asked<Scene>::errorOf(end_, right_);
+    const double error = distance(end_, right_);
     const long asked = asked_.tally().evaluations();
     if (!(error <= Scene::goal.error)) {
       noteSeen(whyInexact());
@@ -67,7 +67,11 @@ class Judgement {
   /// Whether the submission ends where somebody ends who makes this mistake.
   bool isLike(const VecX& mistaken) const { return distance(end_, mistaken) < 1e-3 * distance(end_, right_); }
 
-  static double distance(const VecX& a, const VecX& b) { return Asked<Scene>::errorOf(a, b); }
+  /// Largest of a coordinate [m]; not a number where there are not as many.
+  static double distance(const VecX& a, const VecX& b) {
+    if (a.size() != b.size()) return std::numeric_limits<double>::quiet_NaN();
+    return (a - b).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+  }
 
   std::string whyInexact() const {
     if (end_.size() != right_.size()) return "";
@@ -75,10 +79,18 @@ class Judgement {
     if (asked_.tally().evaluations() == 0) return "asked_nothing";
     if (isWithoutDraught()) return "draught_left_out";
     const long steps = asked_.tally().forces;
-    if (steps > 0 && isLike(explicitEulerEnd(asked_.scene(), steps))) return "explicit_euler";
-    if (steps > 0 && isLike(symplecticEulerEnd(asked_.scene(), steps))) return "symplectic_euler";
+    if (steps > 0 && isLike(endBy(low_order::explicitEuler, steps))) return "explicit_euler";
+    if (steps > 0 && isLike(endBy(low_order::symplecticEuler, steps))) return "symplectic_euler";
     if (isBackwardEuler()) return "backward_euler";
     return isOfAnotherTime() ? "another_time" : "too_inexact";
+  }
+
+  /// What a method makes of the scene in so many steps.
+  template <class Method, class... More>
+  auto endBy(const Method& method, long steps, const More&... more) const {
+    const Scene& scene = asked_.scene();
+    return method(Trial::unlimited(scene), scene.masses(), scene.positions(), scene.velocities(), Scene::duration,
+                  steps, more...);
   }
 
   bool isWithoutDraught() const {
@@ -91,14 +103,17 @@ class Judgement {
   bool isBackwardEuler() const {
     if constexpr (std::is_same_v<Scene, scenes::Cloth>) {
       const long steps = asked_.tally().hessians;
-      return steps > 0 && isLike(backwardEulerEnd(asked_.scene(), steps));
+      const Hessian hessian = [&](double t, const VecX& x) { return asked_.scene().hessian(t, x); };
+      const auto method = [&](const Force& force, const auto&... rest) {
+        return low_order::backwardEuler(force, hessian, rest...);
+      };
+      return steps > 0 && isLike(endBy(method, steps));
     }
     return false;
   }
 
   bool isOfAnotherTime() const {
-    const Nearest nearest(asked_.scene(), end_, Scene::goal.good);
-    return nearest.distance < 0.02 * distance(end_, right_);
+    return endBy(low_order::nearestDistance, Scene::goal.good, end_) < 0.02 * distance(end_, right_);
   }
 
   decltype(drawn()) numbers_;

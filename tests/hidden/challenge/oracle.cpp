@@ -3,6 +3,8 @@
 
 #include "challenge.h"
 
+#include "dormand_prince.h"
+
 namespace {
 
 VecX acceleration(const Force& force, const VecX& m, double t, const VecX& x, const VecX& v) {
@@ -44,17 +46,7 @@ VecX leapfrog(const Force& force, const VecX& m, VecX x, VecX v, double T, int s
 
 /// Dormand's and Prince's method of order five, with steps whose estimated error is below the tolerance.
 VecX dormandPrince(const Force& force, const VecX& m, const VecX& x0, const VecX& v0, double T, double tolerance) {
-  constexpr std::array<double, 7> c = {0, 0.2, 0.3, 0.8, 8.0 / 9, 1, 1};
-  constexpr std::array<std::array<double, 6>, 7> a = {
-      {{},
-       {1.0 / 5},
-       {3.0 / 40, 9.0 / 40},
-       {44.0 / 45, -56.0 / 15, 32.0 / 9},
-       {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
-       {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
-       {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}}};
-  constexpr std::array<double, 7> off = {71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
-                                         -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+  using namespace dormand_prince;
   const Eigen::Index n = m.size();
   const auto slope = [&](double t, const VecX& y) {
     VecX slopes(2 * n);

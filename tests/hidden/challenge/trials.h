@@ -15,17 +15,11 @@ using muelle::Random;
 using muelle::VecX;
 using scenes::Asked;
 
-inline const muelle::TriangleMesh& rabbitMesh() {
-  static const muelle::TriangleMesh mesh =
-      muelle::readTriangleMesh(MUELLE_EXERCISE_FOLDER "/../mesh_to_springs/rabbit.off");
-  return mesh;
-}
-
 struct RabbitTrial {
   using Scene = scenes::Rabbit;
   static constexpr const char* function = "squeezedRabbit";
   static scenes::RabbitNumbers numbersFrom(Random& random) { return scenes::rabbitFrom(random); }
-  static Scene sceneOf(const scenes::RabbitNumbers& numbers) { return {numbers, rabbitMesh()}; }
+  static Scene sceneOf(const scenes::RabbitNumbers& numbers) { return {numbers, scenes::rabbitMesh()}; }
   static VecX submitted(const Asked<Scene>& asked) {
     const Scene& scene = asked.scene();
     return submission::squeezedRabbit(asked.force(), scene.masses(), scene.positions(), scene.velocities());
