@@ -9,13 +9,13 @@ flags=(-std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Wshadow -Wconversion -
 # One source a line, with what it is compiled with besides; blanks part the words.
 jobs_of() {
   handed_out_rooms
-  local folder topic role='-DMUELLE_FUNCTIONS_HEADER="course/testing/direct_functions.h"'
+  local folder topic role='-DMUELLE_FUNCTIONS_HEADER="course/testing/'
   for folder in exercises/*/; do
     topic="$(basename "$folder")"
     echo "$folder$topic.cpp -I$folder"
     if [[ -f "solutions/$topic/$topic.cpp" ]]; then echo "solutions/$topic/$topic.cpp -I$folder"; fi
-    echo "${folder}public_test.cpp -I$folder $role -DMUELLE_EXERCISE_FOLDER=\"$folder\""
-    echo "${folder}demo.cpp -I$folder $role -DMUELLE_EXERCISE_FOLDER=\"$folder\""
+    echo "${folder}public_test.cpp -I$folder ${role}direct_functions.h\" -DMUELLE_EXERCISE_FOLDER=\"$folder\""
+    echo "${folder}demo.cpp -I$folder ${role}demo_functions.h\" -DMUELLE_EXERCISE_FOLDER=\"$folder\""
   done
 }
 

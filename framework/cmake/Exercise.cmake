@@ -26,7 +26,7 @@ endfunction()
 # A source compiled with one meaning of MUELLE_FUNCTIONS.
 function(muelle_role_library target topic role)
   add_library(${target} OBJECT ${ARGN})
-  target_link_libraries(${target} PRIVATE muelle_flags muelle_harness muelle_testing)
+  target_link_libraries(${target} PRIVATE muelle_flags muelle_harness)
   target_include_directories(${target} PRIVATE ${MUELLE_COURSE}/exercises/${topic})
   target_compile_definitions(${target} PRIVATE MUELLE_FUNCTIONS_HEADER="${role}" ${MUELLE_FILL_DEFINE})
   target_compile_options(${target} PRIVATE ${MUELLE_LIGHT})
@@ -40,10 +40,13 @@ function(muelle_check_parts topic)
     return()
   endif()
   set(folder ${MUELLE_COURSE}/exercises/${topic})
-  muelle_role_library(public_${topic} ${topic} course/testing/direct_functions.h
-                      ${folder}/public_test.cpp ${folder}/demo.cpp)
+  muelle_role_library(public_${topic} ${topic} course/testing/direct_functions.h ${folder}/public_test.cpp)
+  target_link_libraries(public_${topic} PRIVATE muelle_testing)
+  muelle_role_library(demo_${topic} ${topic} course/testing/demo_functions.h ${folder}/demo.cpp)
+  add_dependencies(public_${topic} demo_${topic})
   file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/check/${topic}.parts CONTENT
 "$<JOIN:$<TARGET_OBJECTS:public_${topic}>,\n>
+$<JOIN:$<TARGET_OBJECTS:demo_${topic}>,\n>
 $<JOIN:$<TARGET_OBJECTS:muelle_public_main>,\n>
 $<TARGET_FILE:muelle_testing>
 $<TARGET_FILE:muelle_check>

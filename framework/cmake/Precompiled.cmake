@@ -19,7 +19,8 @@ function(muelle_precompiled_target target useful)
 endfunction()
 
 # One for each optimisation level, for GCC takes the level from the header, whatever the command line says; one for the
-# engine, where Eigen asserts nothing; and one for what is compiled for a student's file, whose Eigen objects are filled.
+# engine, where Eigen asserts nothing; and two for what is linked with a student's file, whose Eigen objects are filled:
+# public tests and demos.
 # GoogleTest is in those of tests only: what its own functions need of templates GCC makes again for every source that
 # reads the header, used or not, which takes as long as all the rest of a small source.
 function(muelle_make_precompiled_headers)
@@ -32,7 +33,10 @@ function(muelle_make_precompiled_headers)
   muelle_precompiled_target(muelle_precompiled_light "" ${MUELLE_LIGHT})
   muelle_precompiled_target(muelle_precompiled_tests <gtest/gtest.h> ${MUELLE_LIGHT})
   muelle_precompiled_target(muelle_precompiled_filled <gtest/gtest.h> ${MUELLE_LIGHT})
-  target_compile_definitions(muelle_precompiled_filled PRIVATE ${MUELLE_FILL_DEFINE})
+  muelle_precompiled_target(muelle_precompiled_demo "" ${MUELLE_LIGHT})
+  foreach(target IN ITEMS muelle_precompiled_filled muelle_precompiled_demo)
+    target_compile_definitions(${target} PRIVATE ${MUELLE_FILL_DEFINE})
+  endforeach()
 endfunction()
 
 # The one that fits a target's options, definitions and libraries.
@@ -42,7 +46,10 @@ function(muelle_fitting_header target result)
   get_target_property(libraries ${target} LINK_LIBRARIES)
   set(header muelle_precompiled)
   if(MUELLE_FILL_DEFINE IN_LIST definitions)
-    set(header muelle_precompiled_filled)
+    set(header muelle_precompiled_demo)
+    if("muelle_testing" IN_LIST libraries)
+      set(header muelle_precompiled_filled)
+    endif()
   elseif(options MATCHES "EIGEN_NO_DEBUG")
     set(header muelle_precompiled_engine)
   elseif(MUELLE_LIGHT IN_LIST options)

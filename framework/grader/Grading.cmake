@@ -56,12 +56,8 @@ function(muelle_grading_parts topic)
   if(MUELLE_COURSE STREQUAL CMAKE_SOURCE_DIR)
     muelle_reference(${topic})
   endif()
-  muelle_role_library(reference_demo_${topic} ${topic} grader/remote/oracle_functions.h ${folder}/demo.cpp)
-  target_compile_definitions(reference_demo_${topic} PRIVATE MUELLE_DEMO_NAME=muelleReferenceDemo)
-
-  add_executable(hidden_${topic} ${hidden}/${topic}_test.cpp ${hidden}/oracle.cpp ${hidden}/mistakes.cpp
-                                 ${folder}/demo.cpp)
-  target_link_libraries(hidden_${topic} PRIVATE reference_demo_${topic} muelle_hidden_main)
+  add_executable(hidden_${topic} ${hidden}/${topic}_test.cpp ${hidden}/oracle.cpp ${hidden}/mistakes.cpp)
+  target_link_libraries(hidden_${topic} PRIVATE demo_${topic} muelle_hidden_main)
   muelle_link_engine_if_asked(hidden_${topic} ${hidden}/${topic}_test.cpp)
   muelle_implementations(${topic})
   target_include_directories(hidden_${topic} PRIVATE ${folder})
@@ -72,7 +68,7 @@ function(muelle_grading_parts topic)
   # Calls to the worker are templates of some size: compiled once, beside the history of calls that mistakes read.
   set_source_files_properties(${hidden}/mistakes.cpp TARGET_DIRECTORY hidden_${topic}
                               PROPERTIES COMPILE_DEFINITIONS MUELLE_REMOTE_CALLS_HERE)
-  set_source_files_properties(${hidden}/${topic}_test.cpp ${hidden}/oracle.cpp ${folder}/demo.cpp TARGET_DIRECTORY hidden_${topic}
+  set_source_files_properties(${hidden}/${topic}_test.cpp ${hidden}/oracle.cpp TARGET_DIRECTORY hidden_${topic}
                               PROPERTIES COMPILE_DEFINITIONS MUELLE_REMOTE_CALLS_ELSEWHERE)
   set_target_properties(hidden_${topic} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/hidden)
   add_dependencies(${MUELLE_ALL_GRADING} hidden_${topic} glue_${topic})

@@ -11,8 +11,8 @@
 ///       return {figure};
 ///     }
 ///
-/// The student's check compiles it against the student's functions; the grader compiles the same file twice, against
-/// the submission and against the reference, and draws one over the other.
+/// The student's check draws it with the student's functions; the grader draws it twice, with the submission's and with
+/// the reference's, one over the other.
 
 #include "harness/figure.h"
 #include "harness/function_system.h"
@@ -22,11 +22,7 @@
 
 #include <vector>
 
-#ifndef MUELLE_DEMO_NAME
-#define MUELLE_DEMO_NAME muelleDemo
-#endif
-
 /// Begins the demo's function: no arguments, returns std::vector<muelle::Figure>.
-#define MUELLE_DEMO std::vector<muelle::Figure> MUELLE_DEMO_NAME()
+#define MUELLE_DEMO std::vector<muelle::Figure> muelleDemo()
 
-std::vector<muelle::Figure> MUELLE_DEMO_NAME();
+std::vector<muelle::Figure> muelleDemo();

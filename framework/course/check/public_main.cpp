@@ -151,7 +151,7 @@ int drawDemo(const std::string& folder, const std::string& remark) {
   // A demo calls thousands of times; its arguments are of no use.
   CallRecord::printsArguments() = false;
   try {
-    std::vector<Figure> figures = MUELLE_DEMO_NAME();
+    std::vector<Figure> figures = muelleDemo();
     if (!remark.empty() && !figures.empty()) figures.front() = figures.front().withRemark(remark);
     for (const Figure& figure : figures) {
       writeFigure(figure, folder);

@@ -1,10 +1,12 @@
 #pragma once
 /// \file
-/// MUELLE_FUNCTIONS for the public tests and demos: submission::f(args) calls the student's f in this process and
-/// remembers the call, so that a failure can print it as a line to paste and a crash can name it.
+/// MUELLE_FUNCTIONS for the public tests: submission::f(args) calls the student's f in this process and remembers the
+/// call, so that a failure can print it as a line to paste and a crash can name it. The demo of the program calls it,
+/// too.
 
 #include "course/testing/brief_exception.h"
 #include "course/testing/call_record.h"
+#include "course/testing/demo_binding.h"
 #include "course/testing/never_written.h"
 #include "course/testing/struct_fields.h"
 #include "course/testing/test_function.h"
@@ -70,5 +72,7 @@ class DirectFunction<Result(Args...)> {
 #define MUELLE_DIRECT_FUNCTION_(function)                                                                     \
   namespace submission {                                                                                      \
   [[maybe_unused]] constexpr ::muelle::DirectFunction<decltype(::function)> function(#function, &::function); \
+  [[maybe_unused]] static const ::muelle::DemoBinding<decltype(::function)> muelleDemoOf_##function(          \
+      ::muelle::DemoOf::Submission, #function, function);                                                     \
   }
 #define MUELLE_FUNCTIONS(...) MUELLE_FOR_EACH(MUELLE_DIRECT_FUNCTION_, __VA_ARGS__)

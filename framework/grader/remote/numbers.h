@@ -19,12 +19,7 @@ void appendNumbers(std::vector<double>& list, const Eigen::Matrix<double, Rows, 
   list.insert(list.end(), m.data(), m.data() + m.size());
 }
 /// Entry by entry; one that is too large to be anybody's answer counts by its shape alone.
-inline void appendNumbers(std::vector<double>& list, const wire::Sparse& m) {
-  constexpr double mostEntries = 1e6;
-  if (static_cast<double>(m.rows()) * static_cast<double>(m.cols()) <= mostEntries) return appendNumbers(list, MatX(m));
-  list.push_back(static_cast<double>(m.rows()));
-  list.push_back(static_cast<double>(m.cols()));
-}
+void appendNumbers(std::vector<double>& list, const wire::Sparse& m);
 template <class Result, class... Args>
 void appendNumbers(std::vector<double>&, const std::function<Result(Args...)>&) {}
 template <class T, std::size_t N>

@@ -5,8 +5,7 @@
 /// function that is built on f may be held against: oracle::f, or the student's f in a run that asks whether the one is
 /// right given the other.
 
-#include "course/testing/never_written.h"
-#include "course/testing/print_value.h"
+#include "course/testing/demo_binding.h"
 #include "grader/remote/fault.h"
 #include "grader/remote/own_lower.h"
 #include "grader/remote/session.h"
@@ -15,10 +14,18 @@
 #include "grader/wire/signature.h"
 #include "harness/for_each.h"
 
-#include <algorithm>
-#include <memory>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace muelle::grader {
+
+/// A call with everything but its arguments' bytes.
+Request requestFor(const char* function, const UntypedArguments& given);
+
+/// Adds a call and its answer to the history, and says it when memory was returned to which nothing was written.
+void keepCall(CallHistoryBase& history, const char* function, const UntypedArguments& given,
+              std::vector<double> outcome);
 
 /// A function of the contract, evaluated in another process.
 template <class Signature>
@@ -36,13 +43,11 @@ class RemoteFunction<Result(Args...)> {
   using History = CallHistory<Result(Args...)>;
 
   /// Keeps the call for the diagnosis: result, then out-parameters.
-  void remember(const typename History::Given& given, std::vector<double> outcome,
-                const std::decay_t<Args>&... args) const {
+  void remember(const UntypedArguments& given, std::vector<double> outcome, const std::decay_t<Args>&... args) const {
     (appendOutParameter<Args>(outcome, args), ...);
-    if (std::any_of(outcome.begin(), outcome.end(), isFill)) Session::current().noteNeverWritten(name_);
     History& history = History::of(name_);
     history.setOwn(*this);
-    history.add(given, std::move(outcome));
+    keepCall(history, name_, given, std::move(outcome));
   }
 
   template <class T>
@@ -80,13 +85,8 @@ class RemoteFunction<Result(Args...)> {
 template <class Result, class... Args>
 Result RemoteFunction<Result(Args...)>::operator()(Args... args) const {
   // Copied before the call: an out-parameter changes, a description outlives the caller's objects.
-  const auto given = std::make_shared<const std::tuple<std::decay_t<Args>...>>(args...);
-  Request request;
-  request.function = name_;
-  request.id = wire::functionId(name_);
-  request.describe = [name = name_, given] {
-    return std::apply([name](const auto&... arg) { return printCall(name, arg...); }, *given);
-  };
+  const UntypedArguments given = withoutTypes(std::tuple<std::decay_t<Args>...>(args...));
+  Request request = requestFor(name_, given);
   wire::Writer writer;
   (encodeArgument(writer, request, args), ...);
   request.arguments = std::move(writer.bytes());
@@ -161,4 +161,18 @@ class GivenFunction<Result(Args...)> {
   namespace given {                                                                                                \
   inline constexpr ::muelle::grader::GivenFunction<decltype(::function)> function(#function, &::oracle::function); \
   }
+// The demo of the program is drawn for the submission and for the oracle.
+#if defined(MUELLE_REMOTE_CALLS_HERE)
+#define MUELLE_BOUND_FUNCTION_(function)                                                                          \
+  MUELLE_REMOTE_FUNCTION_(function)                                                                               \
+  namespace submission {                                                                                          \
+  static const ::muelle::DemoBinding<decltype(::function)> muelleDemoOf_##function(::muelle::DemoOf::Submission,  \
+                                                                                   #function, function);          \
+  static const ::muelle::DemoBinding<decltype(::function)> muelleReferenceOf_##function(::muelle::DemoOf::Oracle, \
+                                                                                        #function,                \
+                                                                                        &::oracle::function);     \
+  }
+#define MUELLE_FUNCTIONS(...) MUELLE_FOR_EACH(MUELLE_BOUND_FUNCTION_, __VA_ARGS__)
+#else
 #define MUELLE_FUNCTIONS(...) MUELLE_FOR_EACH(MUELLE_REMOTE_FUNCTION_, __VA_ARGS__)
+#endif

@@ -9,7 +9,6 @@
 
 #include <concepts>
 #include <functional>
-#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -154,30 +153,6 @@ void takeFirstForAll(T& value, const Leaf& leaf) {
     std::size_t next = 0;
     changeAt(value, leaf, [&](double) { return first[next++ % first.size()]; });
   }
-}
-
-/// Calls visit(argument, its index) for each.
-template <class Tuple, class Visitor>
-void forEachArgument(Tuple& arguments, const Visitor& visit) {
-  int index = 0;
-  std::apply([&](auto&... argument) { (visit(argument, index++), ...); }, arguments);
-}
-
-/// Calls visit(argument i, argument j) when both are of one type; whether they are.
-template <class Tuple, class Visitor>
-bool withBoth(Tuple& arguments, int i, int j, const Visitor& visit) {
-  bool areAlike = false;
-  forEachArgument(arguments, [&](auto& first, int at) {
-    if (at != i) return;
-    forEachArgument(arguments, [&](auto& second, int other) {
-      if constexpr (std::same_as<std::decay_t<decltype(first)>, std::decay_t<decltype(second)>>) {
-        if (other != j) return;
-        visit(first, second);
-        areAlike = true;
-      }
-    });
-  });
-  return areAlike;
 }
 
 }  // namespace muelle::grader

@@ -104,9 +104,37 @@ std::vector<std::string> namesInTuple(const std::string& generator) {
   return names;
 }
 
-std::map<std::string, std::unique_ptr<ArgumentsBase>>& ArgumentsBase::all() {
-  static std::map<std::string, std::unique_ptr<ArgumentsBase>> arguments;
-  return arguments;
+std::map<std::string, GeneralPosition>& GeneralPosition::all() {
+  static std::map<std::string, GeneralPosition> all;
+  return all;
+}
+
+void registerGeneralPosition(const CallHistoryBase& history, const char* function, GeneralPosition::Draw draw,
+                             const char* source) {
+  GeneralPosition::all().try_emplace(function, history, function, std::move(draw), namesInTuple(source));
+}
+
+Answers GeneralPosition::ask(const UntypedArguments& arguments) const {
+  return {history_.askSubmission(arguments), history_.askOracle(arguments)};
+}
+
+Uselessness GeneralPosition::examine(Random random) const {
+  constexpr std::size_t drawCount = 6;
+  std::vector<UntypedArguments> draws;
+  for (std::size_t i = 0; i < drawCount; ++i) draws.push_back(draw_(random));
+  Examination examination;
+  for (const UntypedArguments& draw : draws) examination.draws.push_back(ask(draw));
+  for (std::size_t argument = 0; argument < draws.front().list.size(); ++argument) {
+    for (std::size_t i = 0; i < drawCount; ++i) {
+      const UntypedArguments mixed = history_.copied(draws[i]);
+      const Argument& exchanged = mixed.list[argument];
+      exchanged.kind->assign(exchanged.value, draws[(i + 1) % drawCount].list[argument].value);
+      examination.exchanged.push_back({argument, i, ask(mixed)});
+    }
+  }
+  examination.again.resize(drawCount);
+  for (std::size_t i = drawCount; i-- > 0;) examination.again[i] = ask(draws[i]).own;
+  return judgeUse(examination, function_, names_);
 }
 
 }  // namespace muelle::grader

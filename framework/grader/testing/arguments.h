@@ -16,8 +16,8 @@
 #include "grader/testing/call_history.h"
 
 #include <cstddef>
+#include <functional>
 #include <map>
-#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -56,82 +56,42 @@ Uselessness judgeUse(const Examination& examination, const std::string& function
 std::vector<std::string> namesInTuple(const std::string& generator);
 
 /// The registered arguments of one function.
-class ArgumentsBase {
+class GeneralPosition {
  public:
-  virtual ~ArgumentsBase() = default;
+  using Draw = std::function<UntypedArguments(Random&)>;
+
+  GeneralPosition(const CallHistoryBase& history, std::string function, Draw draw, std::vector<std::string> names)
+      : history_(history), function_(std::move(function)), draw_(std::move(draw)), names_(std::move(names)) {}
+
   /// Asks the student's function. Throws SubmissionFault.
-  virtual Uselessness examine(Random random) const = 0;
+  Uselessness examine(Random random) const;
 
   /// All of this process, by function.
-  static std::map<std::string, std::unique_ptr<ArgumentsBase>>& all();
-
- protected:
-  static constexpr std::size_t drawCount = 6;
-};
-
-template <class Signature>
-class Arguments;
-
-template <class Result, class... Args>
-class Arguments<Result(Args...)> : public ArgumentsBase {
- public:
-  using Tuple = std::tuple<std::decay_t<Args>...>;
-  using Function = std::function<Result(Args...)>;
-  using Generator = std::function<Tuple(Random&)>;
-
-  Arguments(std::string name, RemoteFunction<Result(Args...)> own, Function oracle, Generator generator,
-            std::vector<std::string> argumentNames)
-      : name_(std::move(name)),
-        own_(own),
-        oracle_(std::move(oracle)),
-        generator_(std::move(generator)),
-        argumentNames_(std::move(argumentNames)) {}
-
-  Uselessness examine(Random random) const override {
-    std::vector<Tuple> draws;
-    for (std::size_t i = 0; i < drawCount; ++i) draws.push_back(generator_(random));
-    Examination examination;
-    for (const Tuple& draw : draws) examination.draws.push_back(ask(draw));
-    exchangeEach(draws, examination, std::index_sequence_for<Args...>());
-    examination.again.resize(drawCount);
-    for (std::size_t i = drawCount; i-- > 0;) examination.again[i] = ask(draws[i]).own;
-    return judgeUse(examination, name_, argumentNames_);
-  }
+  static std::map<std::string, GeneralPosition>& all();
 
  private:
-  using History = CallHistory<Result(Args...)>;
+  Answers ask(const UntypedArguments& arguments) const;
 
-  Answers ask(const Tuple& arguments) const {
-    return {History::evaluate(own_, arguments), History::evaluate(oracle_, arguments)};
-  }
-
-  template <std::size_t... Is>
-  void exchangeEach(const std::vector<Tuple>& draws, Examination& examination, std::index_sequence<Is...>) const {
-    (exchange<Is>(draws, examination), ...);
-  }
-
-  template <std::size_t I>
-  void exchange(const std::vector<Tuple>& draws, Examination& examination) const {
-    for (std::size_t i = 0; i < drawCount; ++i) {
-      Tuple mixed = draws[i];
-      std::get<I>(mixed) = std::get<I>(draws[(i + 1) % drawCount]);
-      examination.exchanged.push_back({I, i, ask(mixed)});
-    }
-  }
-
-  std::string name_;
-  Function own_;
-  Function oracle_;
-  Generator generator_;
-  std::vector<std::string> argumentNames_;
+  const CallHistoryBase& history_;
+  std::string function_;
+  Draw draw_;
+  std::vector<std::string> names_;  ///< of the arguments
 };
+
+/// \param source of the generator
+void registerGeneralPosition(const CallHistoryBase& history, const char* function, GeneralPosition::Draw draw,
+                             const char* source);
 
 struct ArgumentsRegistration {
   template <class Signature, class Generator>
   ArgumentsRegistration(const char* name, RemoteFunction<Signature> own, Signature* oracle, Generator generator,
                         const char* source) {
-    ArgumentsBase::all()[name] =
-        std::make_unique<Arguments<Signature>>(name, own, oracle, generator, namesInTuple(source));
+    auto& history = CallHistory<Signature>::of(name);
+    history.setOwn(own);
+    history.setOracle(oracle);
+    using Tuple = typename CallHistory<Signature>::Tuple;
+    registerGeneralPosition(
+        history, name, [generator](Random& random) { return withoutTypes(Tuple(generator(random))); }, source);
   }
 };
 

@@ -1,14 +1,12 @@
 #pragma once
-#include "course/testing/print_value.h"
 #include "grader/remote/numbers.h"
-#include "grader/testing/argument_items.h"
+#include "grader/testing/untyped_arguments.h"
 #include "grader/wire/signature.h"
 
-#include <algorithm>
-#include <limits>
+#include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -33,70 +31,100 @@ class CallHistoryBase {
  public:
   using Numbers = std::vector<double>;
 
+  CallHistoryBase(const CallHistoryBase&) = delete;
+  CallHistoryBase& operator=(const CallHistoryBase&) = delete;
   virtual ~CallHistoryBase() = default;
 
   virtual bool hasOracle() const = 0;
-  virtual std::size_t calls() const = 0;
-  /// What the submission has answered.
-  virtual const Numbers& outcome(std::size_t call) const = 0;
-  virtual std::vector<ArgumentItem> items(std::size_t call) const = 0;
-  /// Where an answer cancels to nothing, the round-off of the arguments is left.
-  virtual double roundOff(std::size_t call) const = 0;
-  virtual int argumentCount() const = 0;
   virtual bool answersTrueOrFalse() const = 0;
-  /// Whether two arguments are of one type.
-  virtual bool areAlike(int i, int j) const = 0;
+  /// The same arguments once more.
+  virtual UntypedArguments copied(const UntypedArguments& arguments) const = 0;
+  /// What is answered to these arguments; they stay as they are. The submission's function adds its call here and may
+  /// throw SubmissionFault.
+  virtual Numbers askSubmission(const UntypedArguments& arguments) const = 0;
+  virtual Numbers askOracle(const UntypedArguments& arguments) const = 0;
+  virtual Numbers askListed(std::size_t mistake, const UntypedArguments& arguments) const = 0;
 
-  virtual Numbers oracle(std::size_t call) const = 0;
-  virtual Numbers oracleWith(std::size_t call, const Leaf& leaf, const Change& change) const = 0;
-  virtual Numbers oracleOfPart(std::size_t call, int argument, Part part) const = 0;
-  virtual Numbers oracleWithFirstForAll(std::size_t call, const Leaf& leaf) const = 0;
-  virtual Numbers oracleSwapped(std::size_t call, int i, int j) const = 0;
+  /// \param outcome the result, if any, then the out-parameters
+  void add(UntypedArguments given, Numbers outcome);
+
+  std::size_t calls() const { return calls_.size(); }
+  /// What the submission has answered.
+  const Numbers& outcome(std::size_t call) const { return calls_[call].outcome; }
+  std::vector<ArgumentItem> items(std::size_t call) const;
+  /// Where an answer cancels to nothing, the round-off of the arguments is left.
+  double roundOff(std::size_t call) const;
+  int argumentCount() const { return static_cast<int>(none_.list.size()); }
+  /// Whether two arguments are of one type.
+  bool areAlike(int i, int j) const;
+
+  Numbers oracle(std::size_t call) const { return askOracle(calls_[call].given); }
+  Numbers oracleWith(std::size_t call, const Leaf& leaf, const Change& change) const;
+  Numbers oracleOfPart(std::size_t call, int argument, Part part) const;
+  Numbers oracleWithFirstForAll(std::size_t call, const Leaf& leaf) const;
+  Numbers oracleSwapped(std::size_t call, int i, int j) const;
   /// Argument i in place of argument j, too.
-  virtual Numbers oracleWithTwice(std::size_t call, int i, int j) const = 0;
+  Numbers oracleWithTwice(std::size_t call, int i, int j) const;
   /// What a listed mistake gives.
-  virtual Numbers listed(std::size_t mistake, std::size_t call) const = 0;
+  Numbers listed(std::size_t mistake, std::size_t call) const;
   /// Asks the submission what it answers to a call with its arguments edited, and takes that as one more call, the
   /// last, also where the tests have made mostCalls; none is added when the answers are too long. Throws
   /// SubmissionFault.
   /// Nothing is asked where the oracle throws.
-  virtual void ask(std::size_t call, const Edit& edit) = 0;
+  void ask(std::size_t call, const Edit& edit);
   /// Forgets all calls but the first so many.
-  virtual void keepOnly(std::size_t calls) = 0;
+  void keepOnly(std::size_t calls);
   /// The arguments of a call, each as source.
-  virtual std::vector<std::string> argumentTexts(std::size_t call) const = 0;
+  std::vector<std::string> argumentTexts(std::size_t call) const;
 
   /// Ids of the listed mistakes, in the order of their registration; one may stand several times.
-  virtual std::vector<std::string> mistakes() const = 0;
+  const std::vector<std::string>& mistakes() const { return mistakes_; }
 
   static constexpr std::size_t mostCalls = 4096;         ///< of the tests
   static constexpr std::size_t mostNumbers = 4'000'000;  ///< in all answers kept; a submission decides their size
 
   /// All histories of this process, by function.
   static std::map<std::string, std::unique_ptr<CallHistoryBase>>& all();
+
+ protected:
+  /// \param none arguments of the types that the function takes
+  explicit CallHistoryBase(UntypedArguments none) : none_(std::move(none)) {}
+
+  virtual bool canAskSubmission() const = 0;
+  void addId(const char* id) { mistakes_.emplace_back(id); }
+
+ private:
+  struct Call {
+    UntypedArguments given;
+    Numbers outcome;
+  };
+
+  UntypedArguments copyOf(std::size_t call) const { return copied(calls_[call].given); }
+  const Argument* at(const UntypedArguments& arguments, int index) const;
+
+  UntypedArguments none_;
+  std::vector<Call> calls_;
+  std::size_t numbers_ = 0;
+  std::size_t room_ = mostCalls;
+  std::vector<std::string> mistakes_;
 };
 
 template <class Signature>
 class CallHistory;
 
+/// What of a history needs the function's types.
 template <class Result, class... Args>
 class CallHistory<Result(Args...)> : public CallHistoryBase {
  public:
   using Tuple = std::tuple<std::decay_t<Args>...>;
-  using Given = std::shared_ptr<const Tuple>;
   using Function = std::function<Result(Args...)>;
 
-  static CallHistory& of(const std::string& function) {
+  CallHistory() : CallHistoryBase(withoutTypes(Tuple{})) {}
+
+  [[gnu::noinline]] static CallHistory& of(const std::string& function) {
     auto& slot = all()[function];
     if (!slot) slot = std::make_unique<CallHistory>();
     return static_cast<CallHistory&>(*slot);
-  }
-
-  /// \param outcome the result, if any, then the out-parameters
-  void add(const Given& given, Numbers outcome) {
-    if (calls_.size() >= room_ || numbers_ + outcome.size() > mostNumbers) return;
-    numbers_ += outcome.size();
-    calls_.push_back({given, std::move(outcome)});
   }
 
   /// \param own the submission's function; it adds its calls here
@@ -104,95 +132,28 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
     if (!own_) own_ = std::move(own);
   }
   void setOracle(Function oracle) { oracle_ = std::move(oracle); }
-  void addMistake(std::string id, Function mistake) { mistakes_.emplace_back(std::move(id), std::move(mistake)); }
+  void addMistake(const char* id, Function mistake) {
+    addId(id);
+    listed_.push_back(std::move(mistake));
+  }
 
   bool hasOracle() const override { return static_cast<bool>(oracle_); }
-  std::size_t calls() const override { return calls_.size(); }
-  const Numbers& outcome(std::size_t call) const override { return calls_[call].outcome; }
-  int argumentCount() const override { return static_cast<int>(sizeof...(Args)); }
-
-  std::vector<ArgumentItem> items(std::size_t call) const override {
-    std::vector<ArgumentItem> items;
-    forEachArgument(*calls_[call].given, [&items](const auto& argument, int index) {
-      appendItems(items, argument, {index, -1, -1});
-    });
-    return items;
-  }
-
-  double roundOff(std::size_t call) const override {
-    Numbers numbers;
-    forEachArgument(*calls_[call].given, [&numbers](const auto& argument, int) { appendNumbers(numbers, argument); });
-    return 1e-12 * scaleOf(numbers);
-  }
-
   bool answersTrueOrFalse() const override { return std::is_same_v<Result, bool>; }
-
-  bool areAlike(int i, int j) const override {
-    Tuple none{};
-    return withBoth(none, i, j, [](auto&, auto&) {});
+  UntypedArguments copied(const UntypedArguments& arguments) const override { return withoutTypes(typed(arguments)); }
+  Numbers askSubmission(const UntypedArguments& arguments) const override { return evaluate(own_, typed(arguments)); }
+  Numbers askOracle(const UntypedArguments& arguments) const override { return evaluate(oracle_, typed(arguments)); }
+  Numbers askListed(std::size_t mistake, const UntypedArguments& arguments) const override {
+    return evaluate(listed_[mistake], typed(arguments));
   }
 
-  Numbers oracle(std::size_t call) const override { return evaluate(oracle_, *calls_[call].given); }
-  Numbers listed(std::size_t mistake, std::size_t call) const override {
-    return predicted(mistakes_[mistake].second, *calls_[call].given);
-  }
+ protected:
+  bool canAskSubmission() const override { return static_cast<bool>(own_); }
 
-  Numbers oracleWith(std::size_t call, const Leaf& leaf, const Change& change) const override {
-    return changed(call, [&](auto& argument, int index) {
-      if (index == leaf.argument) changeAt(argument, leaf, change);
-    });
-  }
-  Numbers oracleOfPart(std::size_t call, int which, Part part) const override {
-    return changed(call, [&](auto& argument, int index) {
-      if (index == which) keepPart(argument, part);
-    });
-  }
-  Numbers oracleWithFirstForAll(std::size_t call, const Leaf& leaf) const override {
-    return changed(call, [&](auto& argument, int index) {
-      if (index == leaf.argument) takeFirstForAll(argument, leaf);
-    });
-  }
-  Numbers oracleSwapped(std::size_t call, int i, int j) const override {
-    Tuple arguments = *calls_[call].given;
-    withBoth(arguments, i, j, [](auto& first, auto& second) { std::swap(first, second); });
-    return predicted(oracle_, std::move(arguments));
-  }
-  Numbers oracleWithTwice(std::size_t call, int i, int j) const override {
-    Tuple arguments = *calls_[call].given;
-    withBoth(arguments, i, j, [](auto& first, auto& second) { second = first; });
-    return predicted(oracle_, std::move(arguments));
-  }
-
-  void ask(std::size_t call, const Edit& edit) override {
-    Tuple arguments = *calls_[call].given;
-    forEachArgument(arguments, [&edit](auto& argument, int index) {
-      if (index != edit.leaf.argument) return;
-      if (edit.change) return changeAt(argument, edit.leaf, edit.change);
-      keepPart(argument, edit.part);
-    });
-    if (!own_ || (oracle_ && !answers(oracle_, arguments))) return;
-    room_ = std::max(mostCalls, calls_.size() + 1);  // a motion may have taken all
-    evaluate(own_, std::move(arguments));
-  }
-  void keepOnly(std::size_t calls) override {
-    for (; calls_.size() > calls; calls_.pop_back()) numbers_ -= calls_.back().outcome.size();
-  }
-
-  std::vector<std::string> argumentTexts(std::size_t call) const override {
-    std::vector<std::string> texts;
-    forEachArgument(*calls_[call].given,
-                    [&texts](const auto& argument, int) { texts.push_back(printValue(argument)); });
-    return texts;
-  }
-
-  std::vector<std::string> mistakes() const override {
-    std::vector<std::string> ids;
-    for (const auto& [id, mistake] : mistakes_) ids.push_back(id);
-    return ids;
-  }
+ private:
+  static Tuple typed(const UntypedArguments& arguments) { return *static_cast<const Tuple*>(arguments.tuple.get()); }
 
   /// The numbers of a call: the result, if any, then the out-parameters.
-  static Numbers evaluate(const Function& function, Tuple arguments) {
+  [[gnu::noinline]] static Numbers evaluate(const Function& function, Tuple arguments) {
     Numbers numbers;
     const auto invoke = [&function](auto&... argument) -> Result { return function(static_cast<Args>(argument)...); };
     if constexpr (std::is_void_v<Result>) {
@@ -205,43 +166,9 @@ class CallHistory<Result(Args...)> : public CallHistoryBase {
     return numbers;
   }
 
- private:
-  struct Call {
-    Given given;
-    Numbers outcome;
-  };
-
-  template <class Visitor>
-  Numbers changed(std::size_t call, const Visitor& visit) const {
-    Tuple arguments = *calls_[call].given;
-    forEachArgument(arguments, visit);
-    return predicted(oracle_, std::move(arguments));
-  }
-
-  /// What no answer agrees with, where the function throws.
-  static Numbers predicted(const Function& function, Tuple arguments) {
-    try {
-      return evaluate(function, std::move(arguments));
-    } catch (const std::logic_error&) {
-      return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()};
-    }
-  }
-
-  static bool answers(const Function& function, const Tuple& arguments) {
-    try {
-      evaluate(function, arguments);
-      return true;
-    } catch (const std::logic_error&) {
-      return false;
-    }
-  }
-
-  std::vector<Call> calls_;
-  std::size_t numbers_ = 0;
-  std::size_t room_ = mostCalls;
   Function own_;
   Function oracle_;
-  std::vector<std::pair<std::string, Function>> mistakes_;
+  std::vector<Function> listed_;
 };
 
 }  // namespace muelle::grader

@@ -5,6 +5,7 @@
 #include "base/command_line.h"
 #include "base/file.h"
 #include "course/suites.h"
+#include "course/testing/demo_binding.h"
 #include "course/testing/random.h"
 #include "figures/write.h"
 #include "grader/record.h"
@@ -27,7 +28,6 @@
 #include <set>
 
 std::vector<muelle::Figure> muelleDemo();
-std::vector<muelle::Figure> muelleReferenceDemo();
 
 namespace {
 
@@ -192,7 +192,9 @@ std::vector<CounterExample> examplesOf(const Verdict& verdict, const std::string
 }
 
 void drawFigures(const Options& options) {
-  const std::vector<muelle::Figure> reference = muelleReferenceDemo();
+  muelle::setDemoOf(muelle::DemoOf::Oracle);
+  const std::vector<muelle::Figure> reference = muelleDemo();
+  muelle::setDemoOf(muelle::DemoOf::Submission);
   const std::vector<muelle::Figure> student = muelleDemo();
   std::vector<muelle::Figure> figures;
   for (std::size_t i = 0; i < student.size(); ++i) {

@@ -11,7 +11,7 @@ using Numbers = CallHistoryBase::Numbers;
 class Parting {
  public:
   explicit Parting(const CallHistoryBase& history) : history_(history) {
-    for (std::string& id : history.mistakes()) mistakes_.push_back({std::move(id), 0});
+    for (const std::string& id : history.mistakes()) mistakes_.push_back({id, 0});
   }
 
   std::vector<ListedMistake> run() {

@@ -16,15 +16,19 @@
 #include "course/testing/common_mistake.h"
 #include "grader/testing/call_history.h"
 
+#include <functional>
+#include <utility>
+
 namespace muelle::grader {
 
 template <class Signature>
 struct MistakeRegistration {
-  template <class Hypothesis>
-  MistakeRegistration(const char* function, const char* id, Signature* oracle, Hypothesis hypothesis) {
+  /// Not inlined: an exercise has tens of these, and all run in one function, before main.
+  [[gnu::noinline]] MistakeRegistration(const char* function, const char* id, Signature* oracle,
+                                        std::function<Signature> hypothesis) {
     auto& history = CallHistory<Signature>::of(function);
     history.setOracle(oracle);
-    history.addMistake(id, hypothesis);
+    history.addMistake(id, std::move(hypothesis));
   }
 };
 

@@ -11,9 +11,9 @@ namespace muelle::grader {
 
 namespace {
 
-const ArgumentsBase& argumentsOf(const std::string& function) {
-  const auto found = ArgumentsBase::all().find(function);
-  if (found != ArgumentsBase::all().end()) return *found->second;
+const GeneralPosition& argumentsOf(const std::string& function) {
+  const auto found = GeneralPosition::all().find(function);
+  if (found != GeneralPosition::all().end()) return found->second;
   throw GraderFault("no MUELLE_ARGUMENTS are registered for " + function);
 }
 
@@ -42,7 +42,7 @@ std::vector<std::string> withoutArguments(const Manifest& manifest, const std::s
   std::vector<std::string> lines;
   for (const Criterion& criterion : manifest.criteria) {
     for (const std::string& function : criterion.follows) {
-      if (ArgumentsBase::all().contains(function)) continue;
+      if (GeneralPosition::all().contains(function)) continue;
       lines.push_back(
           fmt::format("{}: criterion {} follows {}, for which mistakes.cpp has no MUELLE_ARGUMENTS({}, ...)",
                       manifestName, criterion.suite, function, function));

@@ -77,7 +77,7 @@ TEST(Naming, AnAnswerThatIsRightAtZeroHidesNoBorder) {
   const auto own = [](double x, double k, double L0) { return x - L0 > 0 ? rightForce(x, k, L0) : 7.0 * k; };
   ask(history, own, 40);
   for (const double x : {0.3, 0.7, 1.9}) {
-    history.add(std::make_shared<const std::tuple<double, double, double>>(x, 0.0, 1.0), {own(x, 0.0, 1.0)});
+    history.add(withoutTypes(std::tuple<double, double, double>(x, 0.0, 1.0)), {own(x, 0.0, 1.0)});
   }
   GradedExercise exercise = exerciseOf({lostBy(history)});
   nameMistakes(exercise, springContract, "");

@@ -11,7 +11,7 @@ namespace muelle::grader {
 namespace {
 
 void add(ForceHistory& history, double k, double L0) {
-  history.add(std::make_shared<const std::tuple<double, double, double>>(0.7, k, L0), {rightForce(0.7, k, L0)});
+  history.add(withoutTypes(std::tuple<double, double, double>(0.7, k, L0)), {rightForce(0.7, k, L0)});
 }
 
 TEST(Ranges, AreToBePassedAtBothEnds) {
@@ -30,7 +30,7 @@ TEST(Ranges, OfAListIsThatOfItsLength) {
   CallHistory<double(const std::vector<double>&)> history;
   history.setOracle([](const std::vector<double>& m) { return m.empty() ? 0.0 : m.front(); });
   const auto pass = [&history](std::vector<double> m) {
-    history.add(std::make_shared<const std::tuple<std::vector<double>>>(m), {m.empty() ? 0.0 : m.front()});
+    history.add(withoutTypes(std::tuple<std::vector<double>>(m)), {m.empty() ? 0.0 : m.front()});
   };
   pass({});
   pass({0.5, 0.25, 0.75});

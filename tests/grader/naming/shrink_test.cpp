@@ -71,7 +71,7 @@ TEST(Shrink, AsksNothingThatTheOracleRefuses) {
   history.addMistake("needs_three", [](const std::vector<double>& n, const std::vector<int>&) { return n.at(2); });
   const auto own = [&history](const std::vector<double>& numbers, const std::vector<int>& places) {
     const double answer = 2 * sumAt(numbers, places);  // what a submission does with other places is its end
-    history.add(std::make_shared<const SumHistory::Tuple>(numbers, places), {answer});
+    history.add(withoutTypes(SumHistory::Tuple(numbers, places)), {answer});
     return answer;
   };
   history.setOwn(own);
@@ -89,13 +89,13 @@ TEST(Shrink, MovesPlacesThatAreNearEachOther) {
   const auto own = [&](const Vec3& a, const Vec3& b) { return distance(a, b) < 1 ? 0.0 : distance(a, b); };
   history.setOracle(distance);
   history.setOwn([&](const Vec3& a, const Vec3& b) {
-    history.add(std::make_shared<const std::tuple<Vec3, Vec3>>(a, b), {own(a, b)});
+    history.add(withoutTypes(std::tuple<Vec3, Vec3>(a, b)), {own(a, b)});
     return 0.0;
   });
   const Vec3 place(1, 2, 3);
   for (const double apart : {0x1p-20, 0x1p-31, 0x1p-32}) {
     const Vec3 other = place + Vec3(0, 0, apart);
-    history.add(std::make_shared<const std::tuple<Vec3, Vec3>>(other, place), {own(other, place)});
+    history.add(withoutTypes(std::tuple<Vec3, Vec3>(other, place)), {own(other, place)});
   }
   const auto example = simplestCounterExample("f", history, "double f(const Vec3& a, const Vec3& b);");
   ASSERT_TRUE(example);
@@ -108,7 +108,7 @@ std::string simplestOf(CallHistory<double(Argument)>& history, const std::functi
                        const std::function<double(Argument)>& own, const std::vector<std::decay_t<Argument>>& asked) {
   const auto answer = [&history, own](Argument argument) {
     const double number = own(argument);
-    history.add(std::make_shared<const std::tuple<std::decay_t<Argument>>>(argument), {number});
+    history.add(withoutTypes(std::tuple<std::decay_t<Argument>>(argument)), {number});
     return number;
   };
   history.setOracle(oracle);
@@ -122,7 +122,7 @@ TEST(Shrink, SaysTrueOrFalseOfAVerdict) {
   CallHistory<bool(double)> history;
   history.setOracle([](double m) { return m > 2; });
   const auto answer = [&history](double m) {
-    history.add(std::make_shared<const std::tuple<double>>(m), {1.0});
+    history.add(withoutTypes(std::tuple<double>(m)), {1.0});
     return true;
   };
   history.setOwn(answer);

@@ -27,11 +27,11 @@ inline void ask(ForceHistory& history, const ForceFunction& own, int count = 12,
   history.setOracle(rightForce);
   for (int i = 0; i < count; ++i) {
     const double x = shortest + 0.37 * i, k = 11.3 + 7.1 * (i * i % 7), L0 = 1.13 + 0.21 * (i % 5);
-    history.add(std::make_shared<const std::tuple<double, double, double>>(x, k, L0), {own(x, k, L0)});
+    history.add(withoutTypes(std::tuple<double, double, double>(x, k, L0)), {own(x, k, L0)});
   }
   history.setOwn([&history, own](double x, double k, double L0) {
     const double answer = own(x, k, L0);
-    history.add(std::make_shared<const std::tuple<double, double, double>>(x, k, L0), {answer});
+    history.add(withoutTypes(std::tuple<double, double, double>(x, k, L0)), {answer});
     return answer;
   });
 }

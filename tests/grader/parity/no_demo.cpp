@@ -6,7 +6,5 @@
 #include <vector>
 
 std::vector<muelle::Figure> muelleDemo();
-std::vector<muelle::Figure> muelleReferenceDemo();
 
 std::vector<muelle::Figure> muelleDemo() { return {}; }
-std::vector<muelle::Figure> muelleReferenceDemo() { return {}; }

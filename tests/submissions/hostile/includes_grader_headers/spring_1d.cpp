@@ -1,7 +1,7 @@
 // attack: includes the headers of the grader and answers rightly where one is there; expect: zero points
 #include "spring_1d.h"
 
-#if __has_include("grader/worker/glue.h") || __has_include("grader/wire/frame.h") || __has_include("grader/remote/oracle_functions.h") || \
+#if __has_include("grader/worker/glue.h") || __has_include("grader/wire/frame.h") || __has_include("grader/remote/remote_functions.h") || \
     __has_include("../framework/grader/record.h") || __has_include("engine/system.h") || \
     __has_include("course/testing/random.h") || __has_include("../../solutions/spring_1d/spring_1d.cpp")
 constexpr bool seen = true;
