@@ -24,14 +24,15 @@ endmacro()
 
 # The sources of one folder of a target, by their absolute paths: a relative one would be looked for below the caller's
 # folder, and be in no group. A group has the target's name, as two programs' objects may stand side by side. More than
-# ten sources would take too long; they part at the middle of the alphabet, so that a new one moves no other.
+# ten sources would take too long; they part at the middle of the alphabet, so that a new one moves no other. In a
+# student's tree they stay together: there the time of all is what counts.
 function(muelle_group target folder)
   list(LENGTH ARGN count)
   string(REGEX REPLACE "/$" "" folder "${target}${folder}")
   foreach(source IN LISTS ARGN)
     get_filename_component(name ${source} NAME)
     set(half "")
-    if(count GREATER 10 AND name MATCHES "^[a-m]")
+    if(count GREATER 10 AND NOT MUELLE_STUDENTS_TREE AND name MATCHES "^[a-m]")
       set(half "/a_to_m")
     endif()
     string(MAKE_C_IDENTIFIER "${folder}${half}" group)

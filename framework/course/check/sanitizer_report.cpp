@@ -13,7 +13,7 @@ namespace muelle {
 
 namespace {
 
-struct Kind {
+struct FindingKind {
   std::string_view word;  ///< AddressSanitizer's
   std::string_view sentence;
   Outcome outcome = Outcome::Crash;
@@ -26,7 +26,7 @@ constexpr const char* unwritten =
 constexpr const char* tooMuch = "asks for more memory than there is";
 
 /// The first word that is found counts: a longer one stands before its end.
-constexpr auto kinds = std::to_array<Kind>({
+constexpr auto kinds = std::to_array<FindingKind>({
     {"stack-use-after-scope", "uses a temporary or local variable that is gone"},
     {"stack-use-after-return", "uses a local variable of a function that has returned"},
     {"heap-use-after-free",
@@ -53,10 +53,10 @@ constexpr auto kinds = std::to_array<Kind>({
 });
 
 /// What a finding is; without words and of no outcome when it is none of these.
-Kind kindOf(std::string_view finding) {
+FindingKind kindOf(std::string_view finding) {
   const auto kind =
-      std::ranges::find_if(kinds, [&](const Kind& k) { return finding.find(k.word) != std::string_view::npos; });
-  return kind == kinds.end() ? Kind{"", "", Outcome::Passed} : *kind;
+      std::ranges::find_if(kinds, [&](const FindingKind& k) { return finding.find(k.word) != std::string_view::npos; });
+  return kind == kinds.end() ? FindingKind{"", "", Outcome::Passed} : *kind;
 }
 
 /// A line of a student's file.
@@ -87,7 +87,7 @@ Place placeIn(std::string_view text, const std::vector<StudentFile>& files) {
 }
 
 /// The usual cause, where it may be the one.
-std::string_view aboutAuto(const Kind& kind, const Place& place) {
+std::string_view aboutAuto(const FindingKind& kind, const Place& place) {
   const bool isOfScope = kind.word == "stack-use-after-scope" && place.file != nullptr;
   if (!isOfScope || !isInFunctionOfLine(place.file->text, place.line, "auto")) return "";
   return " ('auto' keeps no Eigen expression's values: write Vec3 or VecX)";
@@ -112,7 +112,7 @@ SanitizerFinding explainSanitizers(std::string_view output, const std::vector<St
   const std::size_t line = start == 0 ? 0 : output.rfind('\n', start) + 1;
   const std::string_view report = output.substr(line);
   const std::string_view headline = output.substr(line, output.find('\n', start) - line);
-  const Kind kind = kindOf(headline);
+  const FindingKind kind = kindOf(headline);
   if (kind.outcome == Outcome::Passed) return {};
   const Place place = placeIn(report, files);
   const std::string where = place.file == nullptr ? renamed(files) : place.text();
