@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -57,12 +58,15 @@ bool restOfTheCorpora() {
   return runCtest({"--label-regex", "^(hostile|parity)$"}) == 0;
 }
 
-/// Compares what students are told with tests/submissions/TOPIC/sentences.txt; --remember writes that file anew.
+/// Compares what students are told with tests/submissions/TOPIC/sentences.txt; --remember writes that file anew, or,
+/// with a share, adds to it.
 bool sentencesAreKnown(const grader::Workplace& workplace, const grader::TopicMatrix& matrix,
                        const MatrixCommand& command) {
   const fs::path file = workplace.source / "tests" / "submissions" / matrix.manifest.topic / "sentences.txt";
   if (command.remember) {
-    grader::writeSentences(file, matrix.sentences);
+    std::set<std::string> sentences = matrix.sentences;
+    if (command.share != 1) sentences.merge(grader::readSentences(file));
+    grader::writeSentences(file, sentences);
     return true;
   }
   const bool isUsual = command.seed == usualSeed;
@@ -115,11 +119,9 @@ bool gradeMatrices(const MatrixCommand& command) {
 
 int testTheTests(const MatrixCommand& command) {
   const bool isWhole = command.topics.empty() && !command.noMutants && command.share == 1;
-  if (command.remember && command.share != 1) {
-    throw std::runtime_error("--remember notes submissions that have been graded as known: leave --share out");
-  }
-  if (command.remember && command.topics.empty() && command.noMutants) {
-    throw std::runtime_error("--remember without TOPIC notes the whole corpus as known: leave --no-mutants out");
+  if (command.remember && command.topics.empty() && (command.noMutants || command.share != 1)) {
+    throw std::runtime_error(
+        "--remember without TOPIC notes the whole corpus as known: leave --no-mutants and --share out");
   }
   bool good = gradeMatrices(command);
   if (isWhole) good = restOfTheCorpora() && good;
@@ -149,7 +151,8 @@ void addTestTheTests(CommandLine& program) {
   command.flag("--unnamed", options->unnamed,
                "Also group the wrong ones without a name by their answers, each group with a MUELLE_MISTAKE to paste");
   command.flag("--remember", options->remember,
-               "When all is as stated, note the submissions as known: ./muelle test then takes a share of them");
+               "When all is as stated, note the submissions as known: ./muelle test then takes a share of them; with "
+               "--share what is new, too");
   command.footer(
       "x lost, . passed, ! otherwise than its first line states. Exit code: 0 when every row is exact and every\n"
       "surviving mutant has its reason in tests/submissions/TOPIC/mutants.toml, else 1. Without TOPIC the attacks and "

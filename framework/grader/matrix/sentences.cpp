@@ -69,6 +69,16 @@ std::set<std::string> sentencesOf(const GradedExercise& exercise) {
   return sentences;
 }
 
+std::set<std::string> readSentences(const fs::path& file) {
+  std::set<std::string> sentences;
+  if (!fs::exists(file)) return sentences;
+  std::istringstream text(readFile(file));
+  for (std::string line; std::getline(text, line);) {
+    if (!line.starts_with("# ")) sentences.insert(line);
+  }
+  return sentences;
+}
+
 void writeSentences(const fs::path& file, const std::set<std::string>& sentences) {
   std::string text =
       "# Every sentence that the submissions beside this file are told, # for a number. Written by:\n"
@@ -81,11 +91,7 @@ std::vector<std::string> differencesOfSentences(const fs::path& file, const std:
                                                 bool isComplete) {
   std::vector<std::string> lines;
   if (!fs::exists(file)) return lines;
-  std::set<std::string> golden;
-  std::istringstream text(readFile(file));
-  for (std::string line; std::getline(text, line);) {
-    if (!line.starts_with("# ")) golden.insert(line);
-  }
+  const std::set<std::string> golden = readSentences(file);
   for (const std::string& sentence : sentences) {
     if (!golden.contains(sentence))
       lines.push_back(fmt::format("{} does not know: {}", file.filename().string(), sentence));

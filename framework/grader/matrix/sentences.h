@@ -12,6 +12,9 @@ namespace muelle::grader {
 /// many inputs is one. What the compiler says of a source is not among them.
 std::set<std::string> sentencesOf(const GradedExercise& exercise);
 
+/// The sentences of a golden file; none where there is no such file.
+std::set<std::string> readSentences(const std::filesystem::path& file);
+
 /// Writes the golden file of an exercise: a sentence a line, sorted, for a person to read through.
 void writeSentences(const std::filesystem::path& file, const std::set<std::string>& sentences);
 
