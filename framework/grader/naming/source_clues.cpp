@@ -1,5 +1,6 @@
 #include "grader/naming/source_clues.h"
 
+#include "base/text/words.h"
 #include "course/check/source_tokens.h"
 #include "grader/naming/function_text.h"
 
@@ -83,7 +84,8 @@ std::vector<std::string_view> fractionalNames(const Definition& definition) {
   for (const Tokens* tokens : {&definition.parameters, &definition.body}) {
     for (std::size_t i = 0; i + 1 < tokens->size(); ++i) {
       if (!isOneOf((*tokens)[i], {"double", "float", "Vec2", "Vec3", "Vec6", "Vec9", "Vector3d"})) continue;
-      names.push_back((*tokens)[i + ((*tokens)[i + 1] == "&" && i + 2 < tokens->size() ? 2 : 1)]);
+      const std::string_view name = (*tokens)[i + ((*tokens)[i + 1] == "&" && i + 2 < tokens->size() ? 2 : 1)];
+      if (isNameCharacter(name.front())) names.push_back(name);  // not the colon of Vec3::Zero()
     }
   }
   return names;
@@ -92,7 +94,8 @@ std::vector<std::string_view> fractionalNames(const Definition& definition) {
 /// Whether a word with a fraction stands between `at` and the end of the statement; what counts has none.
 bool takesFraction(const Tokens& body, std::size_t at, const std::vector<std::string_view>& fractional) {
   for (; at < body.size() && !isOneOf(body[at], {";", "}", "<", ">", "size", "rows", "cols"}); ++at) {
-    if (std::ranges::find(fractional, body[at]) != fractional.end() ||
+    const bool isField = at > 0 && body[at - 1] == ".";  // of the same name, perhaps
+    if ((!isField && std::ranges::find(fractional, body[at]) != fractional.end()) ||
         isOneOf(body[at], {"dot", "norm", "stableNorm", "squaredNorm", "sqrt", "hypot", "abs", "fabs", "pow"}))
       return true;
   }

@@ -41,7 +41,9 @@ TEST(SourceClues, FindANumberWithAFractionInAVariableOfWholeNumbers) {
   for (const char* right :
        {"double f(double x) { int i = 3; return i * x; }", "double f(V m) { int n = m.size(); return n; }",
         "double f(V m) { for (int i = 0; i < 3; ++i) {} return m[0]; }",
-        "double f(double x, S s) { const int j = (s.a + 1) % 3; return x * j; }"}) {
+        "double f(double x, S s) { const int j = (s.a + 1) % 3; return x * j; }",
+        "Vec3 f(const Vec3& a, S s) { Vec3 F = Vec3::Zero(); const int other = s.i == 1 ? s.j : s.a; return other * F; "
+        "}"}) {
     EXPECT_FALSE(wholeVariable(right, "f").has_value()) << right;
   }
 }
