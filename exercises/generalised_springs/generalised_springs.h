@@ -16,7 +16,8 @@
 ///  - Numbers are double, and derivatives are formulas: exact to round-off. That holds for angles near 0 and near pi,
 ///    too, where an arc cosine has lost half of its digits: use std::atan2.
 ///  - Three nodes on one line have no plane: the angle (0, or pi where the line folds back) and the area (0) have no
-///    gradient there, and the force is zero, never NaN. The energy is as usual.
+///    gradient there, and the force is zero, never NaN. The energy is as usual. Nodes on one line are passed so that
+///    they are on it exactly: the cross product of any two sides is zero in double, too.
 ///  - Where two successive nodes of a bending spring coincide there is no angle either: energy and force are zero.
 ///  - Every other triangle has a plane, however narrow or small it is: sides down to 1e-30 m, angles down to 1e-30 rad.
 ///  - A volume has a sign, and its gradient is never without direction: nothing is special at V = 0.
@@ -35,7 +36,7 @@ using muelle::Vec9;
 using Vec12 = Eigen::Matrix<double, 12, 1>;  ///< four nodes in 3D: (x0, x1, x2, x3)
 
 /// Angle [rad] by which the line of three nodes bends at x1: between the segments x1 - x0 and x2 - x1. 0 where it goes
-/// straight on, pi where it folds back; never negative. 0 where a segment has no length.
+/// straight on, pi where it folds back; never negative. Where a segment has no length nobody asks for an angle.
 /// \param x  (x0, x1, x2) stacked [m]
 double bendingAngle(const Vec9& x);
 

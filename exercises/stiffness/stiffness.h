@@ -61,8 +61,9 @@ MUELLE_STRUCT(State, x, v)
 /// \param L0  rest length [m]
 Mat6 springHessian(const Vec3& xa, const Vec3& xb, double k, double L0);
 
-/// Hessian [N/m] of the energy of a net, 3n x 3n for n nodes: the sum over its springs. Only blocks of nodes that a
-/// spring touches or joins are stored.
+/// Hessian [N/m] of the energy of a net, 3n x 3n for n nodes: the sum over its springs. Nothing is stored but the 3 x 3
+/// blocks of the nodes that have a spring, on the diagonal, and of the pairs that one joins, beside it; of a block's
+/// entries those that are zero may be left out.
 /// \param x        positions of the nodes, stacked [m]
 /// \param springs  the springs
 SparseMatrix assembleHessian(const VecX& x, const std::vector<Spring>& springs);
@@ -78,7 +79,7 @@ VecX elasticForce(const VecX& x, const std::vector<Spring>& springs);
 ///
 /// with M the masses on the diagonal, K the Hessian at x, and F_total the force of the springs at x plus F. The matrix
 /// is symmetric but not always positive definite, for compressed springs make K indefinite: the equation is solved as
-/// it is. It is never singular.
+/// it is. No step is passed whose matrix is singular, or nearly so.
 /// \param now      the state at the beginning of the step
 /// \param m        masses of the nodes [kg], one for each node
 /// \param springs  the springs

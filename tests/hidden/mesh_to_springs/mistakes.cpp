@@ -99,6 +99,15 @@ MUELLE_MISTAKE(meshEdges, both_ways_round, [](MeshOf triangles) {
   return kept;
 });
 }
+/// Repeats are taken out before the smaller node goes first.
+namespace compared_too_early {
+MUELLE_MISTAKE(meshEdges, both_ways_round, [](MeshOf triangles) {
+  const Edges sides = sidesOf(triangles);
+  Edges kept;
+  for (const auto& [a, b] : std::set<Edge>(sides.begin(), sides.end())) kept.push_back(ordered(a, b));
+  return sorted(kept);
+});
+}
 MUELLE_MISTAKE(meshEdges, closing_edge_missing, [](MeshOf triangles) {
   std::set<Edge> edges;
   for (const auto& [a, b, c] : triangles) edges.insert({ordered(a, b), ordered(b, c)});
@@ -264,6 +273,16 @@ Edges eachFromBothEnds(const Edges& right) {
 const Steps along = {{0, 1}}, down = {{1, 0}}, structural = {{0, 1}, {1, 0}}, shear = {{1, 1}, {1, -1}},
             bending = {{0, 2}, {2, 0}};
 
+/// Each node with the next one, in whatever row that is, and with the one below.
+Edges onInTheNextRow(int rows, int columns) {
+  Edges edges;
+  for (int node = 0; node + 1 < rows * columns; ++node) {
+    edges.push_back({node, node + 1});
+    if (node + columns < rows * columns) edges.push_back({node, node + columns});
+  }
+  return edges;
+}
+
 /// Only from the nodes that have a neighbour both to the right and below.
 Edges fromInnerOnly(int rows, int columns, int reach) {
   std::set<Edge> edges;
@@ -304,6 +323,12 @@ GRID_MISTAKE(bendingSprings, no_chain, ofRealGrids(rows, columns, oracle::bendin
 GRID_MISTAKE(structuralSprings, in_rows_only, springsOf(rows, columns, along));
 GRID_MISTAKE(structuralSprings, in_columns_only, springsOf(rows, columns, down));
 GRID_MISTAKE(structuralSprings, round_the_end, wrapped(rows, columns, structural));
+namespace to_the_next_row {
+GRID_MISTAKE(structuralSprings, round_the_end, onInTheNextRow(rows, columns));
+namespace without_repeats {
+GRID_MISTAKE(structuralSprings, round_the_end, withoutRepeats(onInTheNextRow(rows, columns)));
+}
+}  // namespace to_the_next_row
 GRID_MISTAKE(structuralSprings, last_row_and_column, fromInnerOnly(rows, columns, 1));
 GRID_MISTAKE(structuralSprings, not_sorted,
              oneAfterTheOther(springsOf(rows, columns, along), springsOf(rows, columns, down)));

@@ -73,6 +73,14 @@ GET_FORCE_MISTAKE(wrong_sign, -oracle::getForce(xa, xb, stiffness, length, end, 
 GET_FORCE_MISTAKE(half_for_each_end, 0.5 * oracle::getForce(xa, xb, stiffness, length, end, law));
 GET_FORCE_MISTAKE(ends_told_by_place, xa == xb ? Vec3(law(xa, xb, stiffness, length))
                                                : oracle::getForce(xa, xb, stiffness, length, end, law));
+/// na is taken to be the end further left, or further right; where there is none, the one as the other.
+#define END_BY_ORDER(name, sign)                                           \
+  namespace name {                                                         \
+  GET_FORCE_MISTAKE(ends_by_order, (sign)*law(xa, xb, stiffness, length)); \
+  }
+END_BY_ORDER(further_left, (end == 0 ? xa[0] > xb[0] : xb[0] > xa[0]) ? -1 : 1)
+END_BY_ORDER(further_left_or_even, (end == 0 ? xa[0] < xb[0] : xb[0] < xa[0]) ? 1 : -1)
+END_BY_ORDER(further_right, (end == 0 ? xa[0] < xb[0] : xb[0] < xa[0]) ? -1 : 1)
 GET_FORCE_MISTAKE(second_end_only, end == 1 ? Vec3(law(xb, xa, stiffness, length)) : Vec3(Vec3::Zero()));
 GET_FORCE_MISTAKE(first_end_only, end == 0 ? Vec3(law(xa, xb, stiffness, length)) : Vec3(Vec3::Zero()));
 GET_FORCE_MISTAKE(swapped, oracle::getForce(xa, xb, length, stiffness, end, law));
@@ -196,8 +204,8 @@ Results resetWhere(const Nodes& nodes, const Springs& springs, const ForceLaw& l
 }
 
 /// A spring sets the forces of its nodes to zero before it adds its own: the last one is left.
-Results resetByEachSpring(const Nodes& nodes, const Springs& springs, const ForceLaw& law) {
-  std::vector<Vec3> forces(nodes.size(), left);
+Results resetByEachSpring(const Nodes& nodes, const Springs& springs, const ForceLaw& law, const Vec3& before = left) {
+  std::vector<Vec3> forces(nodes.size(), before);
   for (const SpringData& s : springs) {
     forces[place(s.a)] = onA(nodes, s, law);
     forces[place(s.b)] = -onA(nodes, s, law);
@@ -250,6 +258,15 @@ PROGRAM_MISTAKE(scatter, same_on_both_nodes, distributed(nodes, springs, law, []
                   Fb += F;
                 }));
 PROGRAM_MISTAKE(scatter, reset_by_each_spring, resetByEachSpring(nodes, springs, law));
+namespace backwards {
+PROGRAM_MISTAKE(scatter, reset_by_each_spring,
+                resetByEachSpring(nodes, Springs(springs.rbegin(), springs.rend()), law));
+}
+/// And before all of them, in a loop. In their own order the last spring of each node is left: last_spring_only.
+namespace once_more_backwards {
+PROGRAM_MISTAKE(scatter, reset_by_each_spring,
+                resetByEachSpring(nodes, Springs(springs.rbegin(), springs.rend()), law, Vec3::Zero()));
+}
 PROGRAM_MISTAKE(scatter, force_left_before, oldForce(nodes, springs, law));
 
 // --- general position -----------------------------------------------------------------------------------------------

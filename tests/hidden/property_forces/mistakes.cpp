@@ -67,6 +67,10 @@ HEIGHT_MISTAKE(absolute_heights, meanSize(x));
 HEIGHT_MISTAKE(highest, nodes(x).row(2).maxCoeff());
 HEIGHT_MISTAKE(first_skipped, withoutFirst(x));
 HEIGHT_MISTAKE(last_skipped, withoutLast(x));
+namespace of_those_summed {
+HEIGHT_MISTAKE(last_skipped, x.size() > 3 ? withoutLast(x) * count(x) / (count(x) - 1) : 0.0);
+HEIGHT_MISTAKE(first_skipped, x.size() > 3 ? withoutFirst(x) * count(x) / (count(x) - 1) : 0.0);
+}  // namespace of_those_summed
 HEIGHT_MISTAKE(first_only, ofTheFirst(x));
 HEIGHT_MISTAKE(last_only, ofTheLast(x));
 HEIGHT_MISTAKE(last_divided, ofTheLast(x) / count(x));

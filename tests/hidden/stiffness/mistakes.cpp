@@ -60,6 +60,12 @@ BLOCK_MISTAKE(not_projected, k* s.along() + s.T() / s.L * identity());
 BLOCK_MISTAKE(tension_not_over_length, k* s.along() + s.T() * s.across());
 BLOCK_MISTAKE(projections_exchanged, k* s.across() + s.T() / s.L * s.along());
 BLOCK_MISTAKE(not_normalised, k* s.r* s.r.transpose() + s.T() / s.L * (identity() - s.r * s.r.transpose()));
+namespace along_the_spring {
+BLOCK_MISTAKE(not_normalised, k* s.r* s.r.transpose() + s.T() / s.L * s.across());
+}
+namespace across_the_spring {
+BLOCK_MISTAKE(not_normalised, k* s.along() + s.T() / s.L * (identity() - s.r * s.r.transpose()));
+}
 BLOCK_MISTAKE(compression_left_out, k* s.along() + std::max(0.0, s.T()) / s.L * s.across());
 
 #define HESSIAN_MISTAKE(id, ...)                                                                      \
@@ -169,6 +175,31 @@ ENTRY_MISTAKE(overwritten, place = entry);
 ENTRY_MISTAKE(coupling_missing, if (isDiagonal) place += entry);
 ENTRY_MISTAKE(coupling_sign, place += isDiagonal ? entry : -entry);
 ENTRY_MISTAKE(second_node_missing, if (i < 3) place += entry);
+/// On the diagonal alone, of one node or of both, in the order of the springs or backwards.
+#define BLOCK_OVERWRITTEN(name, isOverwritten)                                                                 \
+  namespace name {                                                                                             \
+  ENTRY_MISTAKE(overwritten, place = (isOverwritten) ? entry : place + entry);                                 \
+  namespace backwards {                                                                                        \
+  ASSEMBLY_MISTAKE(overwritten,                                                                                \
+                   assembled(x, Springs(springs.rbegin(), springs.rend()),                                     \
+                             [](double& place, double entry, [[maybe_unused]] int i, [[maybe_unused]] int j) { \
+                               place = (isOverwritten) ? entry : place + entry;                                \
+                             }));                                                                              \
+  }                                                                                                            \
+  }
+namespace backwards {
+ASSEMBLY_MISTAKE(overwritten, assembled(x, Springs(springs.rbegin(), springs.rend()),
+                                        [](double& place, double entry, int, int) { place = entry; }));
+}
+BLOCK_OVERWRITTEN(of_both_nodes, (i < 3) == (j < 3))
+BLOCK_OVERWRITTEN(of_node_a, i < 3 && j < 3)
+BLOCK_OVERWRITTEN(of_node_b, i >= 3 && j >= 3)
+namespace of_the_coupling {
+ENTRY_MISTAKE(one_triangle, if (isDiagonal || i < 3) place += entry);
+}
+namespace of_the_other_coupling {
+ENTRY_MISTAKE(one_triangle, if (isDiagonal || j < 3) place += entry);
+}
 namespace on_the_diagonal {
 ENTRY_MISTAKE(second_node_missing, if (i < 3 || j < 3) place += entry);
 }
@@ -230,6 +261,7 @@ STEP_MISTAKE(matrix_sign, w.from(w.diagonal() - h * h * w.K, w.right()));
 STEP_MISTAKE(hessian_sign, w.from(w.diagonal() - h * h * w.K, h*(w.all() + h * (w.K * now.v))));
 STEP_MISTAKE(mass_missing, w.from(MatX::Identity(w.K.rows(), w.K.cols()) + h * h * w.K, w.right()));
 STEP_MISTAKE(first_mass_for_all, w.from(MatX(m[0] * MatX::Identity(w.K.rows(), w.K.cols())) + h * h * w.K, w.right()));
+STEP_MISTAKE(masses_in_turn, w.from(MatX(m.replicate(3, 1).asDiagonal()) + h * h * w.K, w.right()));
 STEP_MISTAKE(explicit_step, w.from(w.diagonal(), h* w.all()));
 STEP_MISTAKE(position_by_old_velocity, State{now.x + h * now.v, w.rightOne().v});
 STEP_MISTAKE(position_by_change, State{now.x + h * (w.rightOne().v - now.v), w.rightOne().v});

@@ -152,6 +152,18 @@ METHOD_MISTAKE(rungeKuttaStep, equal_weights, classical, method.b = {0.25, 0.25,
 METHOD_MISTAKE(rungeKuttaStep, middle_once, classical, method.b = {1 / 6.0, 1 / 6.0, 1 / 6.0, 1 / 6.0});
 METHOD_MISTAKE(rungeKuttaStep, weights_exchanged, classical, method.b = {1 / 3.0, 1 / 6.0, 1 / 6.0, 1 / 3.0});
 METHOD_MISTAKE(rungeKuttaStep, k3_from_k1, classical, method.a[2] = {0.5});
+namespace of_the_velocity {
+FORCE_MISTAKE(rungeKuttaStep, k3_from_k1, {
+  const auto a = [&](double ahead, const VecX& x, const VecX& v) -> VecX {
+    return accelerationOf(force, m, {now.t + ahead, x, v});
+  };
+  const VecX v1 = now.v, a1 = a(0, now.x, v1);
+  const VecX v2 = now.v + h / 2 * a1, a2 = a(h / 2, now.x + h / 2 * v1, v2);
+  const VecX v3 = v2, a3 = a(h / 2, now.x + h / 2 * v2, v3);
+  const VecX v4 = now.v + h * a3, a4 = a(h, now.x + h * v3, v4);
+  return {now.t + h, now.x + h / 6 * (v1 + 2 * v2 + 2 * v3 + v4), now.v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)};
+});
+}
 METHOD_MISTAKE(rungeKuttaStep, k4_from_k2, classical, method.a[3] = {0, 1});
 METHOD_MISTAKE(rungeKuttaStep, k4_half_a_step, classical, (method.a[3] = {0, 0, 0.5}, method.c[3] = 0.5));
 namespace at_the_end {
