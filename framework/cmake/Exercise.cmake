@@ -40,12 +40,12 @@ function(muelle_check_parts topic)
     return()
   endif()
   set(folder ${MUELLE_COURSE}/exercises/${topic})
-  muelle_role_library(public_${topic} ${topic} course/testing/direct_functions.h ${folder}/public_test.cpp)
-  target_link_libraries(public_${topic} PRIVATE muelle_testing)
+  muelle_role_library(public_test_${topic} ${topic} course/testing/direct_functions.h ${folder}/public_test.cpp)
+  target_link_libraries(public_test_${topic} PRIVATE muelle_testing)
   muelle_role_library(demo_${topic} ${topic} course/testing/demo_functions.h ${folder}/demo.cpp)
-  add_dependencies(public_${topic} demo_${topic})
+  add_custom_target(public_${topic} DEPENDS public_test_${topic} demo_${topic})
   file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/check/${topic}.parts CONTENT
-"$<JOIN:$<TARGET_OBJECTS:public_${topic}>,\n>
+"$<JOIN:$<TARGET_OBJECTS:public_test_${topic}>,\n>
 $<JOIN:$<TARGET_OBJECTS:demo_${topic}>,\n>
 $<JOIN:$<TARGET_OBJECTS:muelle_public_main>,\n>
 $<TARGET_FILE:muelle_testing>
