@@ -109,9 +109,9 @@ std::map<std::string, GeneralPosition>& GeneralPosition::all() {
   return all;
 }
 
-void registerGeneralPosition(const CallHistoryBase& history, const char* function, GeneralPosition::Draw draw,
+void registerGeneralPosition(const CallHistoryBase& history, const char* function, const GeneralPosition::Draw& draw,
                              const char* source) {
-  GeneralPosition::all().try_emplace(function, history, function, std::move(draw), namesInTuple(source));
+  GeneralPosition::all().try_emplace(function, history, function, draw, namesInTuple(source));
 }
 
 Answers GeneralPosition::ask(const UntypedArguments& arguments) const {

@@ -79,7 +79,7 @@ class GeneralPosition {
 };
 
 /// \param source of the generator
-void registerGeneralPosition(const CallHistoryBase& history, const char* function, GeneralPosition::Draw draw,
+void registerGeneralPosition(const CallHistoryBase& history, const char* function, const GeneralPosition::Draw& draw,
                              const char* source);
 
 struct ArgumentsRegistration {
