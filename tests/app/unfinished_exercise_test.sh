@@ -35,18 +35,18 @@ lacks_all="wheel: exercises/wheel/exercise.toml, exercises/wheel/wheel.cpp, exer
 lacks_all+=", exercises/wheel/demo.cpp"
 expect "$first: exercises/$first/demo.cpp
 $lacks_all"
-has_target public_$first && complain "an exercise without demo is built"
+has_target public_test_$first && complain "an exercise without demo is built"
 # The launcher asks for what it has built before: nothing is to be done then, and no target is unknown.
 ninja -C "$tree/build" -n public_$first >"$scratch/log" 2>&1 || complain "public_$first is unknown: $(cat "$scratch/log")"
 
 mv "$scratch/demo.cpp" "$tree/exercises/$first"
 expect "$lacks_all"
-has_target public_$first || complain "the exercise is complete and not found"
+has_target public_test_$first || complain "the exercise is complete and not found"
 
 for file in exercise.toml public_test.cpp demo.cpp; do cp "$tree/exercises/$first/$file" "$tree/exercises/wheel"; done
 cp "$tree/exercises/$first/$first.cpp" "$tree/exercises/wheel/wheel.cpp"
 expect ""
-has_target public_wheel || complain "the new exercise is complete and not found"
+has_target public_test_wheel || complain "the new exercise is complete and not found"
 
 rm "$tree/exercises/wheel/public_test.cpp"
 expect "wheel: exercises/wheel/public_test.cpp"
