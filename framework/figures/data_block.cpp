@@ -103,9 +103,8 @@ std::string dataBlock(const Series& series, bool logX, bool logY) {
   constexpr std::size_t most = 4000;
   if (points.size() > most) points = xNeverFalls(points) ? thinnedByStretches(points) : thinnedByDistance(points);
   std::string text;
-  const auto out = std::back_inserter(text);
   for (const Point& point : points) {
-    if (!point.isGap()) fmt::format_to(out, "{:.12g} {:.12g}", point.x, point.y);
+    if (!point.isGap()) text += fmt::format("{:.12g} {:.12g}", point.x, point.y);
     text += '\n';
   }
   return text;
@@ -116,21 +115,19 @@ std::string arrowBlock(const Series& series) {
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     const double numbers[] = {series.x[i], series.y[i], series.dx[i], series.dy[i]};
     if (!std::all_of(std::begin(numbers), std::end(numbers), [](double n) { return isDrawable(n, false); })) continue;
-    fmt::format_to(std::back_inserter(text), "{:.12g} {:.12g} {:.12g} {:.12g}\n", numbers[0], numbers[1], numbers[2],
-                   numbers[3]);
+    text += fmt::format("{:.12g} {:.12g} {:.12g} {:.12g}\n", numbers[0], numbers[1], numbers[2], numbers[3]);
   }
   return text;
 }
 
 std::string fieldBlock(const Field& field) {
   std::string text;
-  const auto out = std::back_inserter(text);
   for (std::size_t j = 0; j < field.y.size(); ++j) {
     for (std::size_t i = 0; i < field.x.size(); ++i) {
       const double value = field.values[j * field.x.size() + i];
-      fmt::format_to(out, "{:.8g} {:.8g} ", field.x[i], field.y[j]);
+      text += fmt::format("{:.8g} {:.8g} ", field.x[i], field.y[j]);
       if (isDrawable(value, false)) {
-        fmt::format_to(out, "{:.8g}\n", value);
+        text += fmt::format("{:.8g}\n", value);
       } else {
         text += "NaN\n";
       }

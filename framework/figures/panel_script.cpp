@@ -1,5 +1,6 @@
 #include "figures/panel_script.h"
 
+#include "base/text/lists.h"
 #include "figures/measures.h"
 #include "figures/ranges.h"
 #include "figures/script_text.h"
@@ -181,7 +182,7 @@ class PanelScript {
       script_.put("set label 'no data' at graph 0.5,0.5 center textcolor rgb '#777777'");
       curves.emplace_back("NaN");
     }
-    script_.put("plot {}", fmt::join(curves, ", \\\n     "));
+    script_.put("plot {}", joined(curves, ", \\\n     "));
   }
 
   /// A field is dark almost everywhere: lines on it are light.

@@ -66,12 +66,11 @@ State Trajectory::last() const {
 
 void writeCsv(const Trajectory& trajectory, const std::string& axes, const std::filesystem::path& file) {
   std::string text = csvHeader(trajectory, axes);
-  const auto out = std::back_inserter(text);
   for (std::size_t row = 0; row < trajectory.t.size(); ++row) {
-    fmt::format_to(out, "{}", trajectory.t[row]);  // the shortest text that reads back as the same number
-    for (const double value : trajectory.x[row]) fmt::format_to(out, ",{}", value);
-    for (const double value : trajectory.v[row]) fmt::format_to(out, ",{}", value);
-    for (const Track& track : trajectory.tracks) fmt::format_to(out, ",{}", track.values[row]);
+    text += fmt::format("{}", trajectory.t[row]);  // the shortest text that reads back as the same number
+    for (const double value : trajectory.x[row]) text += fmt::format(",{}", value);
+    for (const double value : trajectory.v[row]) text += fmt::format(",{}", value);
+    for (const Track& track : trajectory.tracks) text += fmt::format(",{}", track.values[row]);
     text += '\n';
   }
   writeFile(file, text);

@@ -4,7 +4,7 @@
 #include "base/file.h"
 #include "base/progress_bar.h"
 #include "base/terminal.h"
-#include "base/text/trim.h"
+#include "base/text/lists.h"
 #include "grader/authors/mistake_text.h"
 #include "grader/class/grade_class.h"
 #include "grader/intake/looks_like_a_class.h"
@@ -49,9 +49,8 @@ struct GradeCommand {
 std::vector<std::string> topicsOf(const GradeCommand& command) {
   std::vector<std::string> topics;
   if (command.only == everything) return topics;
-  std::istringstream words(command.only);
-  for (std::string word; std::getline(words, word, ',');) {
-    if (!trimmed(word).empty()) topics.emplace_back(trimmed(word));
+  for (const std::string& word : parted(command.only, ",")) {
+    if (!word.empty()) topics.push_back(word);
   }
   if (topics.empty()) throw std::invalid_argument("--only names no exercise: ./muelle list names them");
   return topics;

@@ -3,6 +3,7 @@
 #include "base/build_paths.h"
 #include "base/file.h"
 #include "base/process/child.h"
+#include "base/text/lists.h"
 #include "base/text/printable.h"
 #include "course/check/compile_rules.h"
 #include "course/check/compile_verdict.h"
@@ -17,7 +18,6 @@
 #include "course/unfinished.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 #include <functional>
 #include <stdexcept>
@@ -51,7 +51,7 @@ ToolRun runTool(const std::vector<std::string>& command, const CompileLimits& li
 
 /// One line for each file that the program is made of: any change changes the text.
 std::string fingerprintOf(const std::vector<fs::path>& files) {
-  std::string text = fmt::format("{} {}\n{:016x}\n", build_paths::compiler, fmt::join(studentCompileFlags(), " "),
+  std::string text = fmt::format("{} {}\n{:016x}\n", build_paths::compiler, joined(studentCompileFlags(), " "),
                                  std::hash<std::string>{}(symbolRules()));
   for (const fs::path& file : files) {
     std::error_code error;

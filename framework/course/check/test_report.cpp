@@ -1,10 +1,10 @@
 #include "course/check/test_report.h"
 
+#include "base/text/lists.h"
 #include "base/text/printable.h"
 #include "course/testing/mismatch_text.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace muelle {
 
@@ -18,7 +18,7 @@ std::string leftOut(std::vector<std::string> names) {
   const std::string more = names.size() > most ? fmt::format(" and {} more", names.size() - most) : "";
   const std::size_t count = names.size();
   names.resize(std::min(count, most));
-  return fmt::format("; {} {} not run: {}{}", count, were, fmt::join(names, ", "), more);
+  return fmt::format("; {} {} not run: {}{}", count, were, joined(names, ", "), more);
 }
 
 }  // namespace

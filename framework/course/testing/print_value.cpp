@@ -1,5 +1,7 @@
 #include "course/testing/print_value.h"
 
+#include "base/text/lists.h"
+
 #include <fmt/format.h>
 #include <cmath>
 
@@ -18,6 +20,10 @@ std::string print(Number value) {
 
 std::string printNumber(double value) { return print(value); }
 std::string printNumber(float value) { return print(value); }
+
+std::string printCallOf(const std::string& function, const std::vector<std::string>& arguments) {
+  return function + "(" + joined(arguments, ", ") + ")";
+}
 
 std::string detail::matrixName(int rows, int cols) {
   const auto size = [](int n) { return n == Eigen::Dynamic ? std::string("X") : std::to_string(n); };

@@ -115,12 +115,13 @@ std::string printValue(const Eigen::MatrixBase<Derived>& m) {
   return isVector ? name + "{{" + text + "}}" : name + "{" + text + "}";
 }
 
+/// f(a, b, c) of arguments that are source already.
+std::string printCallOf(const std::string& function, const std::vector<std::string>& arguments);
+
 /// f(a, b, c)
 template <class... Args>
 std::string printCall(const char* function, const Args&... args) {
-  std::string text;
-  ((text += (text.empty() ? "" : ", ") + printValue(args)), ...);
-  return std::string(function) + "(" + text + ")";
+  return printCallOf(function, {printValue(args)...});
 }
 
 }  // namespace muelle

@@ -1,13 +1,13 @@
 #include "engine/scene/object_reader.h"
 
 #include "base/text/count.h"
+#include "base/text/lists.h"
 #include "base/text/nearest.h"
 #include "base/text/printable.h"
 #include "engine/scene/connectivity.h"
 #include "engine/scene/mesh_file.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
@@ -140,7 +140,7 @@ std::string doubtsAbout(const SurfaceMesh& mesh, const Connectivity& found, cons
   const bool shared = found.places < found.vertices;
   if (shared) words.push_back(fmt::format("{} vertices at {}", found.vertices, counted(found.places, "place")));
   if (words.empty()) return "";
-  return fmt::format("mesh '{}': {}{}", printableLine(file), fmt::join(words, ", "),
+  return fmt::format("mesh '{}': {}{}", printableLine(file), joined(words, ", "),
                      shared ? "; weld = true makes one node of those at the same place" : "");
 }
 

@@ -1,6 +1,7 @@
 #include "engine/scene/selection.h"
 
 #include "base/text/count.h"
+#include "base/text/lists.h"
 #include "base/text/nearest.h"
 #include "base/text/printable.h"
 
@@ -60,7 +61,7 @@ std::vector<int> cornerNodes(const TableReader& table, const Scene& scene, const
     const std::string axis = i + 1 < text.size() ? text.substr(i + 1, 1) : "";
     if (!isSigned || std::ranges::find(axes, axis) == axes.end()) {
       table.fail("corner", fmt::format("'{}' is no corner; expected signs with axes of {}, as in \"-{} +{}\"",
-                                       printableLine(text), fmt::join(axes, ", "), axes.front(), axes.back()));
+                                       printableLine(text), joined(axes, ", "), axes.front(), axes.back()));
     }
     // One after the other, each among those that all signs choose from: a corner, not a corner of a corner.
     const std::vector<int> extreme = extremeNodes(scene, from, axis[0] - 'x', text[i] == '+' ? 1 : -1);

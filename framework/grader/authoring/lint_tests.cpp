@@ -1,9 +1,9 @@
+#include "base/text/lists.h"
 #include "course/check/exercise_check.h"
 #include "course/check/public_parts.h"
 #include "grader/authoring/lint.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 
 namespace muelle::grader {
@@ -52,13 +52,13 @@ class RowLint {
   void lintRow(const MatrixRow& row) {
     if (row.exact()) return;
     if (!row.trouble.empty()) return add(row.file, row.trouble, "mend it");
-    const std::string lost = row.lost.empty() ? "nothing" : fmt::format("{}", fmt::join(row.lost, ", "));
+    const std::string lost = row.lost.empty() ? "nothing" : joined(row.lost, ", ");
     if (row.kind == MatrixRow::Kind::Stub) {
       return add(row.file, fmt::format("the stub earns {:g} points in the hidden tests", row.points),
                  "make it return zeros, or the tests ask for more");
     }
     if (row.kind == MatrixRow::Kind::Wrong) {
-      const std::string named = row.named.empty() ? "none" : fmt::format("{}", fmt::join(row.named, ", "));
+      const std::string named = row.named.empty() ? "none" : joined(row.named, ", ");
       return add(row.file, fmt::format("loses {} and is named {}, otherwise than stated", lost, named),
                  "mend the hidden tests or its first line");
     }

@@ -1,6 +1,7 @@
 #include "grader/authors/mistake_text.h"
 
 #include "base/text/count.h"
+#include "base/text/lists.h"
 #include "base/text/printable.h"
 #include "base/text/trim.h"
 #include "course/check/source_tokens.h"
@@ -9,7 +10,6 @@
 #include "grader/report/example_sentence.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 
 namespace muelle::grader {
@@ -37,7 +37,7 @@ std::string callingOracle(std::string_view body, const std::vector<std::string>&
 std::string oracleCall(const std::string& function, std::string_view contract) {
   std::vector<std::string> names;
   for (const Parameter& parameter : parametersOf(contract, function)) names.push_back(parameter.name);
-  return fmt::format("\n  return oracle::{}({});  // with the mistake in it\n", function, fmt::join(names, ", "));
+  return fmt::format("\n  return oracle::{}({});  // with the mistake in it\n", function, joined(names, ", "));
 }
 
 std::string lambda(const UnnamedGroup& group, std::string_view contract) {
@@ -52,7 +52,7 @@ std::string lambda(const UnnamedGroup& group, std::string_view contract) {
 std::string names(const std::vector<std::string>& handIns) {
   std::vector<std::string> printable;
   for (const std::string& each : handIns) printable.push_back(printableLine(each));
-  return fmt::format("{}", fmt::join(printable, ", "));
+  return joined(printable, ", ");
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #include "grader/authors/same_mistakes.h"
 
+#include "base/text/lists.h"
+
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 #include <set>
 
@@ -51,7 +52,7 @@ std::vector<std::string> linesOf(const std::string& function, const std::vector<
   for (const auto& [groups, same] : wrong) {
     if (same.size() < 2) continue;
     lines.insert(fmt::format("{} of {} give the same numbers in every call: make them one, or ask for what differs",
-                             fmt::join(same, " and "), function));
+                             joined(same, " and "), function));
   }
   for (const std::string& id : ids) {
     if (idsWrong.contains(id)) continue;

@@ -1,10 +1,10 @@
 #include "base/text/csv.h"
+#include "base/text/lists.h"
 #include "base/text/printable.h"
 #include "grader/class/class_statistics.h"
 #include "grader/class/class_table.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace muelle::grader {
 
@@ -34,8 +34,7 @@ struct Grade {
 
 Grade gradeOf(const Criterion& criterion, const GradedExercise& exercise) {
   const std::vector<std::string> lines = feedback(criterion, exercise);
-  return {score(criterion, exercise), fmt::format("{}", fmt::join(mistakesOf(criterion, exercise), " ")),
-          lines.empty() ? "" : lines.front()};
+  return {score(criterion, exercise), joined(mistakesOf(criterion, exercise), " "), lines.empty() ? "" : lines.front()};
 }
 
 /// A hand-in that cannot be read has a line for each criterion too: whoever adds up columns finds all students there.

@@ -1,5 +1,6 @@
 #include "grader/intake/collector.h"
 
+#include "base/text/lists.h"
 #include "base/text/nearest.h"
 #include "base/text/printable.h"
 #include "course/check/handed_out.h"
@@ -10,7 +11,6 @@
 #include "grader/run/digest.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 
 namespace muelle::grader {
@@ -28,7 +28,7 @@ constexpr int textRank = 2;  ///< of a name that may be a note's
 std::string list(const std::vector<std::string>& names) {
   std::vector<std::string> shown(names.begin(), names.begin() + static_cast<long>(std::min(names.size(), shownNames)));
   if (names.size() > shownNames) shown.emplace_back("...");
-  return fmt::format("{}", fmt::join(shown, ", "));
+  return joined(shown, ", ");
 }
 
 /// "notes/"; of no path, the folder that was handed in.
@@ -65,9 +65,7 @@ std::string hashOf(const Submission& submission) {
 
 }  // namespace
 
-std::string show(const RelativePath& path) {
-  return cut(printableLine(fmt::format("{}", fmt::join(path, "/"))), 2 * shownNameBytes);
-}
+std::string show(const RelativePath& path) { return cut(printableLine(joined(path, "/")), 2 * shownNameBytes); }
 
 Collector::Collector(const std::vector<Manifest>& course, IntakeLimits limits, std::vector<std::string> only,
                      SourcesByTopic stubs)
@@ -344,7 +342,7 @@ std::string Collector::missing(const std::string& topic, const std::string& file
   if (names.size() == 1) return fmt::format("no {}; is '{}' meant?", file, names.front());
   const bool isCut = names.size() > shownNearNames;
   if (isCut) names.resize(shownNearNames);
-  return fmt::format("no {}; is one of '{}'{} meant?", file, fmt::join(names, "', '"), isCut ? ", ..." : "");
+  return fmt::format("no {}; is one of '{}'{} meant?", file, joined(names, "', '"), isCut ? ", ..." : "");
 }
 
 /// The unreadable folder in which a file may lie that would go before the one found; null when there is none.
@@ -400,7 +398,7 @@ void Collector::take(const Key& key, const Slot& slot, Submission& submission) {
   if (!taken.note.empty()) said.push_back(taken.note);
   if (said.empty()) return;
   std::string& how = submission.taken[topic];
-  how += fmt::format("{}{} {}", how.empty() ? "" : "; ", file, fmt::join(said, "; "));
+  how += fmt::format("{}{} {}", how.empty() ? "" : "; ", file, joined(said, "; "));
 }
 
 /// One exercise: its files, or why there are none.

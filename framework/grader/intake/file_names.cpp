@@ -1,7 +1,8 @@
 #include "grader/intake/file_names.h"
 
+#include "base/text/lists.h"
+
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -160,7 +161,7 @@ bool isNearFolderName(const std::string& name, const std::string& topic) {
 std::string plainStem(const std::string& name) {
   std::vector<std::string> words = withoutCopyOf(wordsOf(splitAsWanted(name).stem));
   while (endsAsACopy(words)) words.pop_back();
-  return fmt::format("{}", fmt::join(words, "_"));
+  return joined(words, "_");
 }
 
 bool isArchiveName(std::string_view name) {

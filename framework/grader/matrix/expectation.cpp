@@ -1,12 +1,13 @@
 #include "grader/matrix/expectation.h"
 
+#include "base/text/lists.h"
 #include "base/text/nearest.h"
 #include "base/text/trim.h"
 #include "course/suites.h"
 #include "grader/naming/generic_ids.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <stdexcept>
 #include <vector>
@@ -38,11 +39,7 @@ void checkKnown(const std::string& name, const char* what, const std::vector<std
 
 std::set<std::string> readSuites(const std::string& list, const std::string& shown, const Manifest& manifest) {
   std::set<std::string> lost;
-  std::size_t begin = 0;
-  while (begin <= list.size()) {
-    const std::size_t comma = std::min(list.find(',', begin), list.size());
-    const std::string suite(trimmed(list.substr(begin, comma - begin)));
-    begin = comma + 1;
+  for (const std::string& suite : parted(list, ",")) {
     if (suite.empty()) fail(shown, fmt::format("an empty name in the list of suites; write {}", form));
     if (suite == "all") fail(shown, "'all' stands alone: it is every suite of exercise.toml");
     checkKnown(suite, "suite", suitesOf(manifest), shown);
@@ -53,14 +50,10 @@ std::set<std::string> readSuites(const std::string& list, const std::string& sho
 
 /// "idA or idB"
 std::set<std::string> readNames(const std::string& list, const std::string& shown, const Manifest& manifest) {
-  constexpr std::string_view between = " or ";
   std::set<std::string> names;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(between, begin), list.size());
-    const std::string id(trimmed(list.substr(begin, end - begin)));
+  for (const std::string& id : parted(list, " or ")) {
     checkKnown(id, "misconception", misconceptionsOf(manifest), shown);
     names.insert(id);
-    begin = end + between.size();
   }
   return names;
 }

@@ -1,9 +1,9 @@
 #include "grader/matrix/matrix_text.h"
 
 #include "base/text/csv.h"
+#include "base/text/lists.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 #include <iterator>
 
@@ -14,9 +14,7 @@ namespace {
 constexpr std::size_t nameWidth = 30;
 constexpr std::size_t lineWidth = 100;
 
-std::string joined(const std::set<std::string>& names) {
-  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
-}
+std::string orNone(const std::set<std::string>& names) { return names.empty() ? "none" : joined(names, ", "); }
 
 std::string shortened(const std::string& text, std::size_t width) {
   return text.size() <= width ? text : text.substr(0, width - 3) + "...";
@@ -70,8 +68,8 @@ std::string rowText(const MatrixRow& row, const Manifest& manifest) {
     const bool expected = row.expected.lost.contains(criterion.suite);
     line += fmt::format(" {}{} ", lost ? 'x' : '.', lost == expected ? ' ' : '!');
   }
-  if (!row.named.empty()) line += " " + joined(row.named);
-  if (!row.isNamedAsStated()) line += fmt::format("  ! stated: {}", joined(row.expected.named));
+  if (!row.named.empty()) line += " " + orNone(row.named);
+  if (!row.isNamedAsStated()) line += fmt::format("  ! stated: {}", orNone(row.expected.named));
   if (row.expected.noPoints && row.points > 0.0) line += fmt::format("  ! {:g} points", row.points);
   line.erase(line.find_last_not_of(' ') + 1);
   return line + "\n";
@@ -88,10 +86,10 @@ std::string complaint(const MatrixRow& row) {
   std::set_difference(row.lost.begin(), row.lost.end(), row.expected.lost.begin(), row.expected.lost.end(),
                       std::inserter(extra, extra.end()));
   std::string text = fmt::format("  ! {}:1:", row.file);
-  if (!kept.empty()) text += fmt::format(" passes {} unexpectedly;", joined(kept));
-  if (!extra.empty()) text += fmt::format(" loses {} unexpectedly;", joined(extra));
+  if (!kept.empty()) text += fmt::format(" passes {} unexpectedly;", orNone(kept));
+  if (!extra.empty()) text += fmt::format(" loses {} unexpectedly;", orNone(extra));
   if (!row.isNamedAsStated()) {
-    text += fmt::format(" {} named, {} stated;", joined(row.named), joined(row.expected.named));
+    text += fmt::format(" {} named, {} stated;", orNone(row.named), orNone(row.expected.named));
   }
   if (row.expected.noPoints && row.points > 0.0) text += fmt::format(" gets {:g} points;", row.points);
   text.back() = '\n';
@@ -154,7 +152,7 @@ std::string csvLine(const std::vector<std::string>& fields) {
   return line + "\n";
 }
 
-std::string spaced(const std::set<std::string>& names) { return fmt::format("{}", fmt::join(names, " ")); }
+std::string spaced(const std::set<std::string>& names) { return joined(names, " "); }
 
 const char* kindText(MatrixRow::Kind kind) {
   switch (kind) {

@@ -30,13 +30,9 @@ std::uint64_t freshNonce() {
   return (static_cast<std::uint64_t>(device()) << 32) | device();
 }
 
-std::string text(const wire::Frame& frame) {
-  return {reinterpret_cast<const char*>(frame.payload.data()), std::min<std::size_t>(frame.payload.size(), 2000)};
-}
-
 /// "condition, function, index" by lines, as the worker sends an assertion of Eigen or of the standard library.
 SubmissionFault refusal(const wire::Frame& frame, const std::string& function) {
-  std::istringstream lines(text(frame));
+  std::istringstream lines(wire::shortTextOf(frame));
   std::string condition;
   std::string where;
   std::string index;
@@ -196,11 +192,11 @@ std::vector<std::byte> Session::converse(const Request& request, const Patience&
         answerCallback(request, frame, nonce, patience);
         break;
       case wire::FrameKind::Thrown:
-        throw SubmissionFault(fmt::format("{} {}", request.function, thrownSentence(text(frame))));
+        throw SubmissionFault(fmt::format("{} {}", request.function, thrownSentence(wire::shortTextOf(frame))));
       case wire::FrameKind::Refused:
         throw refusal(frame, request.function);
       case wire::FrameKind::Died:
-        throw deathFault(request.function, text(frame));
+        throw deathFault(request.function, wire::shortTextOf(frame));
       default:
         throw SubmissionFault(request.function + " answered with a malformed message");
     }

@@ -69,10 +69,6 @@ std::string seconds(std::chrono::milliseconds time) {
   return fmt::format("{} s", static_cast<double>(time.count()) / 1000.0);
 }
 
-std::string textOf(const wire::Frame& frame) {
-  return {reinterpret_cast<const char*>(frame.payload.data()), std::min<std::size_t>(frame.payload.size(), 2000)};
-}
-
 }  // namespace
 
 SubmissionFault deathFault(const std::string& who, const std::string& cause) {
@@ -141,9 +137,9 @@ void WorkerProcess::expectConfined(const Patience& patience) {
     const wire::Frame frame = receive(0, patience, "the worker");
     if (frame.header.kind == wire::FrameKind::Confined) return;
     if (frame.header.kind == wire::FrameKind::LoadError) {
-      throw SubmissionFault("your file could not be loaded: " + textOf(frame), Outcome::Crash);
+      throw SubmissionFault("your file could not be loaded: " + wire::shortTextOf(frame), Outcome::Crash);
     }
-    throw GraderFault("the worker could not confine itself: " + textOf(frame));
+    throw GraderFault("the worker could not confine itself: " + wire::shortTextOf(frame));
   } catch (const SubmissionFault& error) {
     drainOutput();
     if (error.outcome() == Outcome::Killed || error.outcome() == Outcome::Wall) throw;
@@ -172,10 +168,11 @@ void WorkerProcess::load(const SessionLimits& limits) {
   const wire::Frame frame = loaded(limits.load, loading);
   if (frame.header.kind == wire::FrameKind::Ready) return;
   if (frame.header.kind == wire::FrameKind::LoadError) {
-    throw SubmissionFault("your file could not be loaded: " + textOf(frame), Outcome::Crash);
+    throw SubmissionFault("your file could not be loaded: " + wire::shortTextOf(frame), Outcome::Crash);
   }
-  if (frame.header.kind == wire::FrameKind::Died) throw deathFault(loadingCode, textOf(frame));
-  throw SubmissionFault(std::string(loadingCode) + " did not end properly: " + textOf(frame), Outcome::Crash);
+  if (frame.header.kind == wire::FrameKind::Died) throw deathFault(loadingCode, wire::shortTextOf(frame));
+  throw SubmissionFault(std::string(loadingCode) + " did not end properly: " + wire::shortTextOf(frame),
+                        Outcome::Crash);
 }
 
 Patience WorkerProcess::patience(std::chrono::nanoseconds cpu, std::chrono::milliseconds wall) const {
@@ -298,7 +295,7 @@ void WorkerProcess::throwLastWords(const std::string& function) {
   frame.payload.resize(frame.header.bytes);
   if (read(reply_.read.get(), frame.payload.data(), frame.payload.size()) != static_cast<ssize_t>(frame.header.bytes))
     return;
-  throw deathFault(function, textOf(frame));
+  throw deathFault(function, wire::shortTextOf(frame));
 }
 
 void WorkerProcess::reportEnd(const std::string& function) {

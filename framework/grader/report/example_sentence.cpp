@@ -1,7 +1,8 @@
 #include "grader/report/example_sentence.h"
 
+#include "base/text/lists.h"
+
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -28,7 +29,7 @@ std::string shown(const std::vector<double>& numbers, bool exactly) {
     texts.push_back(exactly && std::isfinite(number) ? fmt::format("{}", number) : shown(number));
   }
   if (texts.empty()) return "nothing";
-  return texts.size() == 1 ? texts.front() : fmt::format("({})", fmt::join(texts, ", "));
+  return texts.size() == 1 ? texts.front() : fmt::format("({})", joined(texts, ", "));
 }
 
 bool isDigitOrPoint(char c) { return (c >= '0' && c <= '9') || c == '.'; }
@@ -60,11 +61,11 @@ bool isForPaper(const CounterExample& example) { return std::ranges::all_of(exam
 
 std::string exampleSentence(const CounterExample& example) {
   if (example.isVerdict && example.got.size() == 1 && example.expected.size() == 1) {
-    return fmt::format("{}({}): you return {}, it is {}", example.function, fmt::join(example.arguments, ", "),
+    return fmt::format("{}({}): you return {}, it is {}", example.function, joined(example.arguments, ", "),
                        example.got.front() != 0, example.expected.front() != 0);
   }
   const bool exactly = shown(example.got, false) == shown(example.expected, false);
-  return fmt::format("{}({}): you return {}, it is {}", example.function, fmt::join(example.arguments, ", "),
+  return fmt::format("{}({}): you return {}, it is {}", example.function, joined(example.arguments, ", "),
                      shown(example.got, exactly), shown(example.expected, exactly));
 }
 

@@ -1,9 +1,9 @@
 #include "grader/report/format.h"
 
+#include "base/text/lists.h"
 #include "base/text/printable.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace muelle::grader {
 
@@ -68,7 +68,7 @@ std::string fieldLine(const std::string& text) {
 }
 
 std::string feedbackText(const Criterion& criterion, const GradedExercise& exercise) {
-  return fmt::format("{}", fmt::join(feedback(criterion, exercise), "\n"));
+  return joined(feedback(criterion, exercise), "\n");
 }
 
 }  // namespace muelle::grader

@@ -1,6 +1,7 @@
 #include "base/text/base64.h"
 #include "base/text/count.h"
 #include "base/text/html.h"
+#include "base/text/lists.h"
 #include "grader/report/followed.h"
 #include "grader/report/format.h"
 #include "grader/report/mending.h"
@@ -8,7 +9,6 @@
 #include "grader/report/report.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace muelle::grader {
 
@@ -123,7 +123,7 @@ std::string criteriaRows(const GradedExercise& exercise) {
 std::string mending(const Mending& mending) {
   const std::string costs =
       fmt::format("Costs {}: {}", counted(static_cast<long long>(mending.criteria.size()), "criterion", "criteria"),
-                  fmt::join(mending.criteria, "; "));
+                  joined(mending.criteria, "; "));
   return fmt::format("<li class=\"{}\">\n", mending.isNamed ? "mistake" : "fault") + paragraph("says", mending.says) +
          paragraph("hint", mending.hint) + paragraph("example", mending.example) + paragraph("soft", costs) + "</li>\n";
 }

@@ -1,7 +1,8 @@
 #include "grader/report/mending.h"
 
+#include "base/text/lists.h"
+
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 
 namespace muelle::grader {
@@ -70,7 +71,7 @@ std::vector<std::string> firstLines(const GradedExercise& exercise) {
     lines.emplace_back("and more, see below");
   }
   const std::vector<std::string> names = withoutCause(exercise);
-  if (!names.empty()) lines.push_back(fmt::format("not right yet: {}", fmt::join(names, "; ")));
+  if (!names.empty()) lines.push_back(fmt::format("not right yet: {}", joined(names, "; ")));
   return lines;
 }
 

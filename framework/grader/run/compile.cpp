@@ -1,6 +1,7 @@
 #include "grader/run/compile.h"
 
 #include "base/build_paths.h"
+#include "base/text/lists.h"
 #include "course/check/compile_rules.h"
 #include "course/check/dependencies.h"
 #include "course/check/filled_flags.h"
@@ -10,7 +11,6 @@
 #include "grader/run/tool_watch.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 #include <cstdlib>
 #include <string_view>
@@ -51,8 +51,6 @@ std::vector<std::string> linkFlagsIn(SandboxChoice sandbox, bool isSanitised) {
   if (sandbox == SandboxChoice::Landlock) std::erase(flags, build_paths::linkerFlag);
   return flags;
 }
-
-std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
 
 /// The precompiled header is large: it is mounted, and handed over as content only when that cannot be.
 void addPrelude(const Workplace& workplace, Confinement& confinement) {
@@ -120,7 +118,7 @@ Confinement confinementOf(const Workplace& workplace, const Manifest& manifest, 
 std::string linkFlagsText(SandboxChoice sandbox, Build build) {
   const bool isSanitised = build == Build::Sanitised;  // the host has the sanitizers' own symbols
   return fmt::format("{}{} {}", linkFlags, isSanitised ? "" : " -Wl,-z,defs",
-                     joined(linkFlagsIn(sandbox, isSanitised)));
+                     joined(linkFlagsIn(sandbox, isSanitised), " "));
 }
 
 /// Takes the student's parts from behind the shared object.
@@ -180,14 +178,14 @@ std::string compileScript(const Workplace& workplace, const Sources& sources, Sa
         "../submission/{} "
         "-o {} || exit {}\n",
         compilesWithClang() ? ToolWatch::command() : "", compiler, ToolWatch::compilerFlag(),
-        joined(compileFlags(build)) + (hidden.empty() ? "" : " -fpermissive"), joined(dependencyFlags(object)), name,
-        object, compileFailed);
+        joined(compileFlags(build), " ") + (hidden.empty() ? "" : " -fpermissive"),
+        joined(dependencyFlags(object), " "), name, object, compileFailed);
     for (const std::string& function : hidden) {  // GCC has taken it for what the contract says
       if (name == missingSourceName) continue;    // it defines what others find
       script += fmt::format("objcopy -w --localize-symbol='{}*' {} || exit {}\n", assemblersName(function), object,
                             symbolsFailed);
     }
-    script += fmt::format("cat {} >&3 || exit {}\n", joined(dependencyLists(object)), symbolsFailed);
+    script += fmt::format("cat {} >&3 || exit {}\n", joined(dependencyLists(object), " "), symbolsFailed);
   }
   return script + fmt::format(
                       "echo '{0}' >&3; {1}nm -P *.o >&3 || exit {2}\n"
@@ -254,7 +252,7 @@ std::string replacingScript(const Workplace& workplace, const std::vector<std::s
       "{2} {3}{4} student.o reference.o -Wl,--whole-archive ../glue.a -Wl,--no-whole-archive -o submission.so || exit "
       "{1}\n"
       "cat submission.so\n",
-      fmt::join(names, "|"), linkFailed, insideOf(workplace.compiler), ToolWatch::linkerFlag(),
+      joined(names, "|"), linkFailed, insideOf(workplace.compiler), ToolWatch::linkerFlag(),
       linkFlagsText(sandbox, build));
 }
 

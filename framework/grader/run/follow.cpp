@@ -1,8 +1,8 @@
 #include "grader/run/follow.h"
 
+#include "base/text/lists.h"
 #include "grader/run/replaced_object.h"
 
-#include <sstream>
 #include <utility>
 
 namespace muelle::grader {
@@ -48,10 +48,8 @@ Verdict earnedBy(Verdict run, const std::vector<std::string>& lower, const Verdi
 /// missing: what is built on them can be judged with the reference's in their place.
 std::vector<std::string> replaceable(const Verdict& own) {
   if (own.tests.empty() || own.isConfirmed || own.outcome == Outcome::NeverWritten) return {};
-  std::istringstream names(own.tests.front().property);
-  std::vector<std::string> functions;
-  for (std::string name; std::getline(names, name, ',');) functions.push_back(name);
-  return functions;
+  const std::string& names = own.tests.front().property;
+  return names.empty() ? std::vector<std::string>() : parted(names, ",");
 }
 
 /// The candidate with the reference's functions in the place of the student's, in each object that it has.

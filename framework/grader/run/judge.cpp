@@ -1,12 +1,12 @@
 #include "grader/run/judge.h"
 
 #include "base/file.h"
+#include "base/text/lists.h"
 #include "course/check/fault_sentences.h"
 #include "grader/record.h"
 #include "grader/run/follow.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -103,7 +103,7 @@ Verdict judgeOnce(const Judging& judging, Look look) {
     const TemporaryFolder folder(workplace.work());
     std::vector<std::string> command = commandFor(workplace, candidate, options, look);
     command.insert(command.end(), {"--suite", criterion.suite});
-    if (!ownLower.empty()) command.insert(command.end(), {"--own-lower", fmt::format("{}", fmt::join(ownLower, ","))});
+    if (!ownLower.empty()) command.insert(command.end(), {"--own-lower", joined(ownLower, ",")});
     return runHiddenProgram(workplace, candidate, criterion.suite, std::move(command), folder.path());
   } catch (const std::exception& error) {
     return broken(candidate, criterion.suite, error.what());

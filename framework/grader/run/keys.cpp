@@ -2,13 +2,13 @@
 
 #include "base/errors.h"
 #include "base/file.h"
+#include "base/text/lists.h"
 #include "course/check/symbols.h"
 #include "grader/run/compile.h"
 #include "grader/run/digest.h"
 #include "grader/run/store.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <random>
 
 namespace muelle::grader {
@@ -60,10 +60,10 @@ std::string objectKey(const Workplace& workplace, const Manifest& manifest, cons
 
 std::string verdictKey(const Workplace& workplace, const Manifest& manifest, const Criterion& criterion,
                        const std::string& objectKey, const GradeOptions& options) {
-  const std::string what = fmt::format("{}:{}", criterion.suite, fmt::join(criterion.functions, ","));
+  const std::string what = fmt::format("{}:{}", criterion.suite, joined(criterion.functions, ","));
   if (criterion.follows.empty()) return testingKey(workplace, manifest, what, objectKey, options);
   const std::string follows =
-      fmt::format("{}:{}:{}", what, fmt::join(criterion.follows, ","), digestOf(workplace.reference(manifest.topic)));
+      fmt::format("{}:{}:{}", what, joined(criterion.follows, ","), digestOf(workplace.reference(manifest.topic)));
   return testingKey(workplace, manifest, follows, objectKey, options);
 }
 

@@ -3,7 +3,6 @@
 #include "grader/run/digest.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace muelle::grader {
 

@@ -2,10 +2,14 @@
 
 namespace muelle::grader {
 
+std::vector<std::string> UntypedArguments::texts() const {
+  std::vector<std::string> texts;
+  for (const Argument& each : list) texts.push_back(each.kind->print(each.value));
+  return texts;
+}
+
 std::string printCall(const std::string& function, const UntypedArguments& arguments) {
-  std::string text;
-  for (const Argument& each : arguments.list) text += (text.empty() ? "" : ", ") + each.kind->print(each.value);
-  return function + "(" + text + ")";
+  return printCallOf(function, arguments.texts());
 }
 
 }  // namespace muelle::grader

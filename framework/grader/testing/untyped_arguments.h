@@ -50,6 +50,9 @@ struct Argument {
 struct UntypedArguments {
   std::shared_ptr<void> tuple;  ///< a std::tuple of the types without references
   std::vector<Argument> list;   ///< where they stand in it
+
+  /// Each as source.
+  std::vector<std::string> texts() const;
 };
 
 template <class... Ts>

@@ -1,6 +1,10 @@
 #pragma once
 #include "grader/wire/bytes.h"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 namespace muelle::grader::wire {
 
 /// What a frame says.
@@ -39,5 +43,10 @@ struct Frame {
   FrameHeader header;
   std::vector<std::byte> payload;
 };
+
+/// The text that a frame holds, at most 2000 bytes of it: a submission decides how long it is.
+inline std::string shortTextOf(const Frame& frame) {
+  return {reinterpret_cast<const char*>(frame.payload.data()), std::min<std::size_t>(frame.payload.size(), 2000)};
+}
 
 }  // namespace muelle::grader::wire

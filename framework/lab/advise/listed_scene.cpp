@@ -1,5 +1,6 @@
 #include "lab/advise/listed_scene.h"
 
+#include "base/text/lists.h"
 #include "engine/model/axes.h"
 
 #include <fmt/format.h>
@@ -48,7 +49,7 @@ class Listing {
   void vector(const char* key, const Vec3& value) {
     std::vector<std::string> parts;
     for (const int c : axes_) parts.push_back(digits(value[c]));
-    line(key, parts.size() == 1 ? parts[0] : fmt::format("[{}]", fmt::join(parts, ", ")));
+    line(key, parts.size() == 1 ? parts[0] : fmt::format("[{}]", joined(parts, ", ")));
   }
   void nodes(const std::vector<int>& nodes) { line("nodes", fmt::format("[{}]", fmt::join(nodes, ", "))); }
   void add(const std::string& text) { text_ += text; }
