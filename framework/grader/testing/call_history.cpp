@@ -65,34 +65,39 @@ bool CallHistoryBase::areAlike(int i, int j) const {
   return first != nullptr && second != nullptr && first->kind == second->kind;
 }
 
-Numbers CallHistoryBase::oracleWith(std::size_t call, const Leaf& leaf, const Change& change) const {
-  const UntypedArguments arguments = copyOf(call);
-  if (const Argument* argument = at(arguments, leaf.argument)) argument->kind->changeAt(argument->value, leaf, change);
+UntypedArguments CallHistoryBase::changed(std::size_t call, int index,
+                                          const std::function<void(const Argument&)>& change) const {
+  UntypedArguments arguments = copyOf(call);
+  if (const Argument* argument = at(arguments, index)) change(*argument);
+  return arguments;
+}
+
+Numbers CallHistoryBase::oracleTo(const UntypedArguments& arguments) const {
   return predicted([&] { return askOracle(arguments); });
+}
+
+Numbers CallHistoryBase::oracleWith(std::size_t call, const Leaf& leaf, const Change& change) const {
+  return oracleTo(changed(call, leaf.argument, [&](const Argument& a) { a.kind->changeAt(a.value, leaf, change); }));
 }
 
 Numbers CallHistoryBase::oracleOfPart(std::size_t call, int which, Part part) const {
-  const UntypedArguments arguments = copyOf(call);
-  if (const Argument* argument = at(arguments, which)) argument->kind->keepPart(argument->value, part);
-  return predicted([&] { return askOracle(arguments); });
+  return oracleTo(changed(call, which, [&](const Argument& a) { a.kind->keepPart(a.value, part); }));
 }
 
 Numbers CallHistoryBase::oracleWithFirstForAll(std::size_t call, const Leaf& leaf) const {
-  const UntypedArguments arguments = copyOf(call);
-  if (const Argument* argument = at(arguments, leaf.argument)) argument->kind->takeFirstForAll(argument->value, leaf);
-  return predicted([&] { return askOracle(arguments); });
+  return oracleTo(changed(call, leaf.argument, [&](const Argument& a) { a.kind->takeFirstForAll(a.value, leaf); }));
 }
 
 Numbers CallHistoryBase::oracleSwapped(std::size_t call, int i, int j) const {
   const UntypedArguments arguments = copyOf(call);
   if (areAlike(i, j)) at(arguments, i)->kind->swap(at(arguments, i)->value, at(arguments, j)->value);
-  return predicted([&] { return askOracle(arguments); });
+  return oracleTo(arguments);
 }
 
 Numbers CallHistoryBase::oracleWithTwice(std::size_t call, int i, int j) const {
   const UntypedArguments arguments = copyOf(call);
   if (areAlike(i, j)) at(arguments, j)->kind->assign(at(arguments, j)->value, at(arguments, i)->value);
-  return predicted([&] { return askOracle(arguments); });
+  return oracleTo(arguments);
 }
 
 Numbers CallHistoryBase::listed(std::size_t mistake, std::size_t call) const {
@@ -100,14 +105,13 @@ Numbers CallHistoryBase::listed(std::size_t mistake, std::size_t call) const {
 }
 
 void CallHistoryBase::ask(std::size_t call, const Edit& edit) {
-  const UntypedArguments arguments = copyOf(call);
-  if (const Argument* argument = at(arguments, edit.leaf.argument)) {
+  const UntypedArguments arguments = changed(call, edit.leaf.argument, [&edit](const Argument& a) {
     if (edit.change) {
-      argument->kind->changeAt(argument->value, edit.leaf, edit.change);
+      a.kind->changeAt(a.value, edit.leaf, edit.change);
     } else {
-      argument->kind->keepPart(argument->value, edit.part);
+      a.kind->keepPart(a.value, edit.part);
     }
-  }
+  });
   if (!canAskSubmission() || (hasOracle() && !answers(*this, arguments))) return;
   room_ = std::max(mostCalls, calls_.size() + 1);  // a motion may have taken all
   askSubmission(arguments);
@@ -115,12 +119,6 @@ void CallHistoryBase::ask(std::size_t call, const Edit& edit) {
 
 void CallHistoryBase::keepOnly(std::size_t calls) {
   for (; calls_.size() > calls; calls_.pop_back()) numbers_ -= calls_.back().outcome.size();
-}
-
-std::vector<std::string> CallHistoryBase::argumentTexts(std::size_t call) const {
-  std::vector<std::string> texts;
-  for (const Argument& each : calls_[call].given.list) texts.push_back(each.kind->print(each.value));
-  return texts;
 }
 
 }  // namespace muelle::grader

@@ -75,7 +75,7 @@ class CallHistoryBase {
   /// Forgets all calls but the first so many.
   void keepOnly(std::size_t calls);
   /// The arguments of a call, each as source.
-  std::vector<std::string> argumentTexts(std::size_t call) const;
+  std::vector<std::string> argumentTexts(std::size_t call) const { return calls_[call].given.texts(); }
 
   /// Ids of the listed mistakes, in the order of their registration; one may stand several times.
   const std::vector<std::string>& mistakes() const { return mistakes_; }
@@ -100,6 +100,10 @@ class CallHistoryBase {
   };
 
   UntypedArguments copyOf(std::size_t call) const { return copied(calls_[call].given); }
+  /// A copy of a call's arguments; the one of that index, if there is one, has been given to `change`.
+  UntypedArguments changed(std::size_t call, int index, const std::function<void(const Argument&)>& change) const;
+  /// Also where the oracle throws.
+  Numbers oracleTo(const UntypedArguments& arguments) const;
   const Argument* at(const UntypedArguments& arguments, int index) const;
 
   UntypedArguments none_;
