@@ -1,5 +1,6 @@
 #include "engine/solve/dense.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -23,6 +24,12 @@ Eigenpairs eigenpairs(const MatX& A) {
 double spectralRadius(const MatX& A) { return Eigen::EigenSolver<MatX>(A, false).eigenvalues().cwiseAbs().maxCoeff(); }
 
 VecX solveFullPivoting(const MatX& A, const VecX& b) { return Eigen::FullPivLU<MatX>(A).solve(b); }
+
+VecX solvePartialPivoting(const MatX& A, const VecX& b) { return Eigen::PartialPivLU<MatX>(A).solve(b); }
+
+MatX inverse(const MatX& A) { return Eigen::PartialPivLU<MatX>(A).inverse(); }
+
+bool isPositiveDefinite(const MatX& A) { return Eigen::LLT<MatX>(A).info() == Eigen::Success; }
 
 VecX leastSquares(const MatX& A, const VecX& b) { return Eigen::ColPivHouseholderQR<MatX>(A).solve(b); }
 

@@ -33,6 +33,15 @@ double spectralRadius(const MatX& A);
 /// A^-1 b by elimination with full pivoting, the most accurate.
 VecX solveFullPivoting(const MatX& A, const VecX& b);
 
+/// The same with pivots of the column, a few times faster, for a matrix that is far from singular.
+VecX solvePartialPivoting(const MatX& A, const VecX& b);
+
+/// By partial pivoting, too.
+MatX inverse(const MatX& A);
+
+/// Whether a Cholesky factorisation of a symmetric matrix is possible. Only the lower triangle of A is read.
+bool isPositiveDefinite(const MatX& A);
+
 /// The x that minimises |A x - b|, A with at least as many rows as columns.
 VecX leastSquares(const MatX& A, const VecX& b);
 

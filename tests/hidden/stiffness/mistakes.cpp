@@ -4,11 +4,9 @@
 #include "stiffness.h"
 
 #include "course/testing/random.h"
+#include "engine/solve/dense.h"
 #include "grader/testing/arguments.h"
 #include "grader/testing/mistakes.h"
-
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 
 #include <limits>
 
@@ -161,39 +159,40 @@ SparseMatrix assembled(const VecX& x, const Springs& springs, Put put, Row row =
 
 void add(double& place, double entry, int, int) { place += entry; }
 
+Springs reversed(const Springs& springs) { return Springs(springs.rbegin(), springs.rend()); }
+
 }  // namespace
 
 #define ASSEMBLY_MISTAKE(id, ...) \
   MUELLE_MISTAKE(assembleHessian, id, [](const VecX& x, const Springs& springs) -> SparseMatrix { return __VA_ARGS__; })
-#define ENTRY_MISTAKE(id, ...)                                                                                \
-  ASSEMBLY_MISTAKE(id, assembled(x, springs, [](double& place, [[maybe_unused]] double entry, int i, int j) { \
+#define ENTRY_MISTAKE_OF(inOrder, id, ...)                                                                    \
+  ASSEMBLY_MISTAKE(id, assembled(x, inOrder, [](double& place, [[maybe_unused]] double entry, int i, int j) { \
                      [[maybe_unused]] const bool isDiagonal = (i < 3) == (j < 3);                             \
                      __VA_ARGS__;                                                                             \
                    }))
+#define ENTRY_MISTAKE(id, ...) ENTRY_MISTAKE_OF(springs, id, __VA_ARGS__)
+/// Where a later spring takes an earlier one's place, the order matters: that of the list, or backwards.
+#define OVERWRITTEN_WHERE(...)                                                                     \
+  ENTRY_MISTAKE(overwritten, place = (__VA_ARGS__) ? entry : place + entry);                       \
+  namespace backwards {                                                                            \
+  ENTRY_MISTAKE_OF(reversed(springs), overwritten, place = (__VA_ARGS__) ? entry : place + entry); \
+  }
 
-ENTRY_MISTAKE(overwritten, place = entry);
 ENTRY_MISTAKE(coupling_missing, if (isDiagonal) place += entry);
 ENTRY_MISTAKE(coupling_sign, place += isDiagonal ? entry : -entry);
 ENTRY_MISTAKE(second_node_missing, if (i < 3) place += entry);
-/// On the diagonal alone, of one node or of both, in the order of the springs or backwards.
-#define BLOCK_OVERWRITTEN(name, isOverwritten)                                                                 \
-  namespace name {                                                                                             \
-  ENTRY_MISTAKE(overwritten, place = (isOverwritten) ? entry : place + entry);                                 \
-  namespace backwards {                                                                                        \
-  ASSEMBLY_MISTAKE(overwritten,                                                                                \
-                   assembled(x, Springs(springs.rbegin(), springs.rend()),                                     \
-                             [](double& place, double entry, [[maybe_unused]] int i, [[maybe_unused]] int j) { \
-                               place = (isOverwritten) ? entry : place + entry;                                \
-                             }));                                                                              \
-  }                                                                                                            \
-  }
-namespace backwards {
-ASSEMBLY_MISTAKE(overwritten, assembled(x, Springs(springs.rbegin(), springs.rend()),
-                                        [](double& place, double entry, int, int) { place = entry; }));
+namespace of_all_blocks {
+OVERWRITTEN_WHERE(true)
 }
-BLOCK_OVERWRITTEN(of_both_nodes, (i < 3) == (j < 3))
-BLOCK_OVERWRITTEN(of_node_a, i < 3 && j < 3)
-BLOCK_OVERWRITTEN(of_node_b, i >= 3 && j >= 3)
+namespace of_both_nodes {
+OVERWRITTEN_WHERE(isDiagonal)
+}
+namespace of_node_a {
+OVERWRITTEN_WHERE(i < 3 && j < 3)
+}
+namespace of_node_b {
+OVERWRITTEN_WHERE(i >= 3 && j >= 3)
+}
 namespace of_the_coupling {
 ENTRY_MISTAKE(one_triangle, if (isDiagonal || i < 3) place += entry);
 }
@@ -234,7 +233,7 @@ struct Wrong {
   MatX diagonal() const { return M.asDiagonal(); }
   VecX all() const { return elastic + F; }
   VecX right() const { return h * (all() - h * (K * now.v)); }
-  VecX solved(const MatX& system, const VecX& rhs) const { return system.partialPivLu().solve(rhs); }
+  VecX solved(const MatX& system, const VecX& rhs) const { return muelle::engine::solvePartialPivoting(system, rhs); }
   State from(const MatX& system, const VecX& rhs) const {
     const VecX v = now.v + solved(system, rhs);
     return {now.x + h * v, v};
@@ -278,7 +277,7 @@ namespace with_its_matrix {
 STEP_MISTAKE(moved_first, w.from(w.diagonal() + h * h * MatX(oracle::assembleHessian(now.x + h * now.v, springs)),
                                  h*(oracle::elasticForce(now.x + h * now.v, springs) + F)));
 }
-STEP_MISTAKE(cholesky, MatX(w.diagonal() + h * h * w.K).llt().info() == Eigen::Success
+STEP_MISTAKE(cholesky, muelle::engine::isPositiveDefinite(w.diagonal() + h * h * w.K)
                            ? w.rightOne()
                            : State{VecX::Constant(now.x.size(), undefined), VecX::Constant(now.x.size(), undefined)});
 STEP_MISTAKE(velocity_counted_twice, w.from(w.diagonal() + h * h * w.K, w.M.cwiseProduct(now.v) + h * w.all()));

@@ -3,7 +3,8 @@
 
 #include "stiffness.h"
 
-#include <Eigen/LU>
+#include "engine/solve/dense.h"
+
 #include <stdexcept>
 
 namespace {
@@ -81,7 +82,7 @@ State backwardEulerStep(const State& now, const VecX& m, const std::vector<Sprin
   const MatX system = MatX(M.asDiagonal()) + h * h * K;
   const VecX force = given::elasticForce(now.x, springs) + F;
   // The same equation for v1: (M + h^2 K) v1 = M v + h F.
-  const VecX v = system.partialPivLu().solve(M.cwiseProduct(now.v) + h * force);
+  const VecX v = muelle::engine::solvePartialPivoting(system, M.cwiseProduct(now.v) + h * force);
   return {now.x + h * v, v};
 }
 

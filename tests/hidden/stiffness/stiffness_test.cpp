@@ -4,15 +4,14 @@
 #include "course/testing/random.h"
 #include "engine/integrators/catalogue.h"
 #include "engine/model/model_system.h"
+#include "engine/solve/dense.h"
 #include "grader/testing/ladders.h"
 #include "grader/testing/of_use.h"
 #include "grader/testing/plain_numbers.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <limits>
@@ -557,7 +556,7 @@ struct Case {
     const VecX root = masses().cwiseSqrt().cwiseInverse();
     const MatX K = oracle::assembleHessian(net.x, net.springs);
     const MatX system = MatX::Identity(K.rows(), K.cols()) + h * h * MatX(root.asDiagonal() * K * root.asDiagonal());
-    const VecX sizes = Eigen::SelfAdjointEigenSolver<MatX>(system, Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs();
+    const VecX sizes = muelle::engine::symmetricEigenvalues(system).cwiseAbs();
     return std::max(1.0, sizes.maxCoeff()) * std::max(1.0, 1 / sizes.minCoeff());
   }
 };
@@ -721,7 +720,7 @@ MatX matrixOf(const Case& c) {
     if (!isOfSize(with, n)) return MatX();
     answers.col(i) = (with.v - without.v) / c.h;
   }
-  return answers.partialPivLu().inverse();
+  return muelle::engine::inverse(answers);
 }
 
 }  // namespace
