@@ -107,6 +107,7 @@ TEST_F(Fault, ACompilerThatIsStoppedPastItsWallLimit) {
 
 /// What one criterion finds out of a function takes no points from another, whichever is judged first.
 TEST_F(Fault, AFunctionThatDoesNotReturnForSomeInputsCostsWhatAsksForThese) {
+  takeAllCriteria();
   Sources sources = honest();
   std::string& text = sources.begin()->second;
   const std::string guard = "if (L == 0) return 0;";
@@ -267,6 +268,7 @@ TEST_F(Fault, AFullDisk) {
 
 /// A student who saves while the grader works is graded for one of the two files, whole.
 TEST_F(Fault, AFileThatChangesWhileItIsGraded) {
+  takeAllCriteria();
   const std::filesystem::path handIn = folder_.path() / "hand-in";
   const std::string& name = exercise_.files.front();
   for (const Sources* sources : {&honest(), &wrong()}) {

@@ -35,12 +35,15 @@ class StagedFault : public ::testing::Test {
   void putInCompilersPlace(const std::string& script);
   void putCompilerBack();
 
+  void takeAllCriteria() { exercise_ = whole_; }
+
   const Sources& honest() const { return honest_; }
   const Sources& wrong() const { return wrong_; }
 
   TemporaryFolder folder_{std::filesystem::temp_directory_path()};
   Workplace workplace_ = Workplace::ofThisBuild();
-  Manifest exercise_;
+  const Manifest whole_;  ///< the exercise with all its criteria
+  Manifest exercise_;     ///< with some of them
 
  private:
   /// Suite -> points, of a grading that nothing disturbs.
