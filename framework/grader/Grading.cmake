@@ -29,8 +29,9 @@ endfunction()
 
 # Hidden tests may ask the engine; only those that do wait for it to be built.
 function(muelle_link_engine_if_asked target source)
-  if(NOT EXISTS ${source})
-    return()  # a scaffold that the build writes: it asks nothing yet
+  cmake_path(IS_PREFIX CMAKE_BINARY_DIR ${source} is_written_by_the_build)
+  if(is_written_by_the_build)
+    return()  # a scaffold: it asks nothing yet, and to configure would wait for the program that writes it
   endif()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
   file(STRINGS ${source} includes REGEX "^#include \"engine/")
