@@ -25,7 +25,7 @@ endmacro()
 # The sources of one folder of a target, by their absolute paths: a relative one would be looked for below the caller's
 # folder, and be in no group. A group has the target's name, as two programs' objects may stand side by side. More than
 # ten sources would take too long; they part at the middle of the alphabet, so that a new one moves no other. In a
-# student's tree they stay together: there the time of all is what counts.
+# student's tree all sources of a target are together: there the time of all is what counts.
 function(muelle_group target folder)
   list(LENGTH ARGN count)
   string(REGEX REPLACE "/$" "" folder "${target}${folder}")
@@ -50,6 +50,9 @@ function(muelle_group_by_folder target)
       get_filename_component(source ${source} ABSOLUTE BASE_DIR ${own_folder})
       get_filename_component(folder ${source} DIRECTORY)
       file(RELATIVE_PATH folder ${own_folder} ${folder})
+      if(MUELLE_STUDENTS_TREE)
+        set(folder "")
+      endif()
       list(APPEND folders "/${folder}")
       list(APPEND "in/${folder}" ${source})
     endif()

@@ -18,16 +18,14 @@ complain() {
 # As on a student's machine: no cache of compiled files, no flags, no name of ours in the environment.
 student() { env -u CXXFLAGS -u CMAKE_CXX_COMPILER_LAUNCHER -u MUELLE_KEPT HOME="$scratch" "$tree/muelle" --no-install "$@"; }
 # Of what this shell has started and waited for; in a pipe `times` would tell of the pipe's own process.
-processor_seconds() {
-  times >"$scratch/times"
-  tail -n 1 "$scratch/times" | tr 'ms' '  ' | awk '{ printf "%d", $1 * 60 + $2 + $3 * 60 + $4 }'
-}
+note_processor_time() { times >"$scratch/times"; }
+processor_seconds() { tail -n 1 "$scratch/times" | tr 'ms' '  ' | awk '{ printf "%d", $1 * 60 + $2 + $3 * 60 + $4 }'; }
 
 first="$("$muelle" list | awk 'NR == 1 { print $2 }')"
 said="$(student check 2>&1)"
 status=$?
-processor_seconds >"$scratch/spent"
-spent=$(cat "$scratch/spent")
+note_processor_time
+spent=$(processor_seconds)
 echo "first check from nothing: $spent s of processor time"
 [[ $status -eq 1 ]] || complain "the first check ends with $status: $said"
 [[ $said == *"✗"*"$first"*"mend first:"*"hint:"*"next:"*"edit"*"exercises/$first/"* ]] ||
