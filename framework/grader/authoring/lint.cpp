@@ -88,6 +88,7 @@ class FileLint {
       if (mark == std::string::npos) continue;
       std::string what(trimmed(line.substr(mark + std::string_view(writeMark).size())));
       what = std::string(trimmed(what.substr(0, std::min(what.find("-->"), what.find("](")))));  // of a page
+      while (what.ends_with('.')) what.pop_back();
       add(fmt::format("{}:{}", file, number), "still to be written: " + what, "then take the mark out");
     }
   }
@@ -202,7 +203,8 @@ class FileLint {
         shown.insert(stated.named.begin(), stated.named.end());
         if (!plainWrongs.contains(folder.filename().string())) lost.insert(stated.lost.begin(), stated.lost.end());
       } catch (const std::exception& error) {
-        add(name, error.what(), "mend the first line");
+        const std::string what = error.what();  // begins with where
+        add(name + ":1", what.substr(what.starts_with(name) ? what.find(": ") + 2 : 0), "mend it");
       }
     }
     for (const Criterion& criterion : manifest.criteria) {
@@ -234,7 +236,7 @@ class FileLint {
 
 }  // namespace
 
-std::string Finding::text() const { return fmt::format("{}: {}; {}", where, what, todo); }
+std::string Finding::text() const { return fmt::format("{}: {}{}{}", where, what, todo.empty() ? "" : "; ", todo); }
 
 std::vector<Finding> lintFiles(const fs::path& checkout, const std::string& topic) {
   return FileLint(checkout, topic).lint();

@@ -25,7 +25,8 @@ class Contract {
     for (const Range& range : rangesOf(text_)) ranges_.insert(range.name);
     for (const std::string& function : functionsOf(text_)) {
       lintFunction(function);
-      for (const Parameter& parameter : parametersOf(text_, function)) lintParameter(parameter);
+      const std::size_t line = lineOf(function + "(");
+      for (const Parameter& parameter : parametersOf(text_, function)) lintParameter(parameter, line);
     }
     return std::move(findings_);
   }
@@ -36,16 +37,29 @@ class Contract {
     const std::string words = docstringAbove(line);
     if (words.empty()) {
       add(line, fmt::format("{} has no docstring", function), "say above it what it returns, in which unit");
-    } else if (!hasUnit(words)) {
+    } else if (!hasUnit(returnsNumbers(line) ? withoutArguments(words) : words)) {
       add(line, fmt::format("the docstring of {} has no unit", function), "write it in brackets: Force [N] on node a");
     }
   }
 
-  void lintParameter(const Parameter& parameter) {
+  /// A struct has units in its own description.
+  bool returnsNumbers(std::size_t line) const {
+    static const std::regex type(
+        R"(^(double|int|Vec\d|VecX|Mat\d|MatX|SparseMatrix|std::vector<(double|int|Vec\d)>) )");
+    return std::regex_search(lines_[line], type);
+  }
+
+  /// What a docstring says of the function and of what it returns.
+  static std::string withoutArguments(const std::string& words) {
+    static const std::regex argument(R"(\\param[^\\]*)");
+    return std::regex_replace(words, argument, "");
+  }
+
+  /// \param line of the function
+  void lintParameter(const Parameter& parameter, std::size_t line) {
     if (!seen_.insert(parameter.name).second) return;
     const bool isNumber = isNumeric(parameter.type);
     const bool isList = parameter.type.find("std::vector") != std::string::npos;
-    const std::size_t line = lineOf(parameter.name);
     if ((isNumber || isList) && !ranges_.contains(parameter.name)) {
       add(line, fmt::format("{} has no range", parameter.name),
           fmt::format("add MUELLE_RANGE({}, least, most)", parameter.name));
@@ -61,21 +75,39 @@ class Contract {
     return type == "double" || type == "int" || type == "std::size_t" || type == "long";
   }
 
-  /// Some line that names the argument has a unit.
+  /// Its range has a unit, or what its \param says, or some line that names it. A name in brackets is a unit: [m].
   bool parameterHasUnit(const std::string& name) const {
     const std::regex range("^MUELLE_RANGE\\(" + name + ",.*\\)\\s*//\\s*\\S");
+    const std::regex own("\\\\param\\s+(\\w+\\s*,\\s*)*" + name + "\\b");
     const std::regex word("\\b" + name + "\\b");
-    return std::ranges::any_of(lines_, [&](const std::string& line) {
-      if (std::regex_search(line, range)) return true;
-      return isComment(line) && std::regex_search(line, word) && hasUnit(line);
-    });
+    static const std::regex brackets(R"(\[[^\]]*\])");
+    bool isTold = false;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      if (std::regex_search(lines_[i], range)) return true;
+      if (!isComment(lines_[i])) continue;
+      std::smatch place;
+      if (std::regex_search(lines_[i], place, own)) {
+        if (hasUnit(paragraphFrom(i, static_cast<std::size_t>(place.position())))) return true;
+      } else if (lines_[i].find("\\param") == std::string::npos) {
+        const std::string words = std::regex_replace(lines_[i], brackets, "");
+        isTold = isTold || (std::regex_search(words, word) && hasUnit(lines_[i]));
+      }
+    }
+    return isTold;
+  }
+
+  /// What a \param says: from its place in a line to the next command of the comment, or the comment's end.
+  std::string paragraphFrom(std::size_t line, std::size_t place) const {
+    std::string words = lines_[line].substr(place + 1);
+    for (++line; line < lines_.size() && isComment(lines_[line]); ++line) words += lines_[line];
+    return words.substr(0, words.find('\\'));
   }
 
   static bool isComment(const std::string& line) { return line.find("///") != std::string::npos; }
 
   static bool hasUnit(const std::string& words) {
     static const std::regex unit(
-        R"(\[[^\]]+\]|unit vector|[Dd]irection|[Nn]umbers? of|[Ii]ndex|[Ii]ndices|[Ii]ndexed|[Dd]imensionless|without unit|no unit|[Ww]hether|true)");
+        R"(\[[^\]]+\]|[Uu]nit (vector|normal)|[Dd]irection|[Nn]umbers? of|[Ii]ndex|[Ii]ndices|[Ii]ndexed|[Dd]imensionless|without unit|no unit|[Ww]hether|true)");
     return std::regex_search(words, unit);
   }
 

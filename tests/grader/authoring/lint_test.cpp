@@ -97,6 +97,7 @@ TEST_F(Lint, EveryMistakeAndEveryCriterionIsShownByAWrongSubmission) {
 TEST_F(Lint, AFirstLineStatesWhatIsLost) {
   replace(wrong_ + "wrong_sign/swing.cpp", "// loses: Force", "// loses: Froce");
   expectTold("did you mean 'Force'");
+  expectTold("wrong/wrong_sign/swing.cpp:1: no suite");  // its place once
 }
 
 /// What is said of a contract of one function.
@@ -119,6 +120,27 @@ TEST(LintContract, AsksForUnitsAndRanges) {
             "f.h:3 f has no docstring");
   EXPECT_EQ(only(contractFindings("/// A sum.\n", "MUELLE_RANGE(k, 1, 2)  // N/m\n/// xa [m]\n")),
             "f.h:2 the docstring of f has no unit");
+}
+
+TEST(LintContract, TakesAUnitFromWhatIsSaidOfTheArgumentAlone) {
+  const auto linted = [](const std::string& docstring) {
+    std::string text;
+    for (const Finding& finding :
+         lintContract(docstring + "double g(double m, double k);\nMUELLE_RANGE(m, 1, 2)\nMUELLE_RANGE(k, 1, 2)\n"
+                                  "MUELLE_FUNCTIONS(g)\n",
+                      "g.h")) {
+      text += finding.where + " " + finding.what + "\n";
+    }
+    return text;
+  };
+  EXPECT_EQ(linted("/// Force [N].\n/// \\param m mass [kg]\n/// \\param k stiffness\n///   of the spring [N/m]\n"),
+            "");
+  EXPECT_EQ(linted("/// Force [N] of a mass m [kg] on a spring of k [N/m].\n"), "");
+  EXPECT_EQ(linted("/// Force [N].\n/// \\param m mass\n/// \\param k stiffness [N/m]\n"), "g.h:4 m has no unit\n")
+      << "the next argument's unit is not this one's";
+  EXPECT_EQ(linted("/// Length [m].\n/// \\param k stiffness [N/m]\n"), "g.h:3 m has no unit\n") << "[m] is metres";
+  EXPECT_EQ(linted("/// Force.\n/// \\param m mass [kg]\n/// \\param k stiffness [N/m]\n"),
+            "g.h:4 the docstring of g has no unit\n");
 }
 
 /// This very course: what its files say. `muelle lint` runs its tests, too, which others do here; among them the
