@@ -26,7 +26,8 @@ std::vector<std::string> changedHandedOut(const std::filesystem::path& checkout,
 /// The same of the harness and every exercise.
 std::vector<std::string> changedHandedOut(const std::filesystem::path& checkout);
 
-/// "FILE is not as it was handed out: ...", a line for each; "" when there is none.
-std::string sayChanged(const std::vector<std::string>& changed);
+/// "FILE is not as it was handed out: ...", a line for each; "" when there is none. Who has the graders' rooms, too, is
+/// an author and told to note the change.
+std::string sayChanged(const std::filesystem::path& checkout, const std::vector<std::string>& changed);
 
 }  // namespace muelle

@@ -41,7 +41,14 @@ TEST_F(HandedOut, AChangedOrMissingFileIsNamed) {
             (std::vector<std::string>{"exercises/spring/spring.h", "framework/harness/types.h"}));
   EXPECT_EQ(changedHandedOut(root_, "other"), std::vector<std::string>{"framework/harness/types.h"});
   EXPECT_EQ(changedHandedOut(root_).size(), 2U);
-  EXPECT_TRUE(sayChanged({"exercises/spring/spring.h"}).starts_with("exercises/spring/spring.h is not as it was"));
+}
+
+TEST_F(HandedOut, AStudentGetsItBackAndAnAuthorNotesIt) {
+  const std::vector<std::string> changed = {"exercises/spring/spring.h"};
+  EXPECT_EQ(sayChanged(root_, {}), "");
+  EXPECT_TRUE(sayChanged(root_, changed).starts_with("exercises/spring/spring.h is not as it was handed out: get it"));
+  fs::create_directories(root_ / "framework/grader");
+  EXPECT_NE(sayChanged(root_, changed).find("note the change"), std::string::npos);
 }
 
 TEST(HandedOutList, IsCurrent) {
