@@ -56,6 +56,17 @@ std::vector<std::string> topicsOf(const GradeCommand& command) {
   return topics;
 }
 
+/// Who builds a part of the course (-D MUELLE_TOPICS=...) is told what has no points for that.
+void sayNotBuilt(const GradeCommand& command, const grader::Grader& grader) {
+  if (command.only != everything) return;
+  std::vector<std::string> absent;
+  for (const Manifest& exercise : grader.wholeCourse()) {
+    const auto isIt = [&](const Manifest& built) { return built.topic == exercise.topic; };
+    if (std::ranges::none_of(grader.course(), isIt)) absent.push_back(exercise.topic);
+  }
+  if (!absent.empty()) fmt::print(stderr, "note: not built, and not graded: {}\n", joined(absent, ", "));
+}
+
 grader::Grader openGrader(const GradeCommand& command) {
   if (command.unsafe && !command.sandbox.empty() && command.sandbox != "unsafe") {
     throw std::invalid_argument(
@@ -129,6 +140,7 @@ int report(const grader::GradedSubmission& graded, const GradeCommand& command, 
 
 int gradeSubmission(const GradeCommand& command) {
   grader::Grader grader = openGrader(command);
+  sayNotBuilt(command, grader);
   if (const auto why = grader::looksLikeAClass(command.submission, grader.wholeCourse())) {
     throw std::invalid_argument(command.submission + " " + *why);
   }
@@ -159,6 +171,7 @@ std::string whatFailed(const grader::GradedClass& graded) {
 
 int gradeClass(const GradeCommand& command) {
   grader::Grader grader = openGrader(command);
+  sayNotBuilt(command, grader);
   const std::optional<fs::path> given = givenFolder(command, command.classFolder);
   grader::ClassOptions options;
   options.folder = command.classFolder;

@@ -113,6 +113,7 @@ bool gradeMatrices(const MatrixCommand& command) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   fmt::print("{}{}time                      {:.0f} s\n", grader::summaryText(grader::summarise(matrices)),
              command.share > 1 ? fmt::format("share                     one in {}\n", command.share) : "", seconds);
+  if (!good) fmt::print("to mend                   what is marked with ! above\n");
   if (!command.csv.empty()) muelle::writeFile(command.csv, grader::matrixCsv(matrices));
   return good;
 }

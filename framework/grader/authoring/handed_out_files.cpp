@@ -81,6 +81,16 @@ void addExercises(const fs::path& exercises, Collection& collection, std::vector
   }
 }
 
+/// An exercise of which git knows nothing is one line.
+void noteLeftOut(const std::string& file, const std::set<std::string>& known, std::vector<std::string>& notes) {
+  const std::string folder = file.starts_with("exercises/") ? file.substr(0, file.find('/', 10) + 1) : "";
+  const auto next = known.lower_bound(folder);
+  const bool isWhole = !folder.empty() && (next == known.end() || !next->starts_with(folder));
+  std::string note =
+      fmt::format("left out: {} (git does not know it: git add {})", isWhole ? folder : file, isWhole ? folder : file);
+  if (notes.empty() || notes.back() != note) notes.push_back(std::move(note));
+}
+
 }  // namespace
 
 HandedOutFiles handedOutFiles(const fs::path& checkout) {
@@ -98,7 +108,7 @@ HandedOutFiles handedOutFiles(const fs::path& checkout) {
   const auto changed = gitList(checkout, {"diff", "--name-only", "HEAD"});
   for (std::string& file : collection.sorted()) {
     if (known && !known->contains(file)) {
-      result.notes.push_back(fmt::format("left out: {} (git does not know it)", file));
+      noteLeftOut(file, *known, result.notes);
       continue;
     }
     if (changed && changed->contains(file)) {
