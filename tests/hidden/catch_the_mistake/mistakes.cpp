@@ -11,6 +11,9 @@ namespace {
 /// Nodes nearer than this are an edge of the contract.
 constexpr double near = 1e-3;  // [m]
 
+/// How far down those go who do not stop at once.
+constexpr double nanometre = 1e-9;  // [m]
+
 // --- forces ---------------------------------------------------------------------------------------------------------
 
 double rightForce(double xa, double xb, double k, double L0) {
@@ -112,6 +115,15 @@ MUELLE_MISTAKE(isSpringForceRight, never_coincident,
                forceSeen([](double xa, double xb, double, double) { return xa != xb; }));
 MUELLE_MISTAKE(isSpringForceRight, never_short,
                forceSeen([](double xa, double xb, double, double) { return xa == xb || std::abs(xa - xb) >= near; }));
+namespace to_a_nanometre {
+MUELLE_MISTAKE(isSpringForceRight, never_short, forceSeen([](double xa, double xb, double, double) {
+                 return xa == xb || std::abs(xa - xb) >= nanometre;
+               }));
+MUELLE_MISTAKE(isGradientRight, never_short, springSeen([](double L, double) { return L == 0 || L >= nanometre; }));
+MUELLE_MISTAKE(isDampingRight, never_short, damperSeen([](const Vec3& r, const Vec3&, const Vec3&) {
+                 return r.isZero(0) || r.norm() >= nanometre;
+               }));
+}  // namespace to_a_nanometre
 MUELLE_MISTAKE(isSpringForceRight, no_edges,
                forceSeen([](double xa, double xb, double, double) { return std::abs(xa - xb) >= near; }));
 MUELLE_MISTAKE(isSpringForceRight, size_only, [](const SpringForce& f) {

@@ -1,4 +1,4 @@
-// loses: ForceEdges; misconception: none
+// loses: ForceEdges; misconception: never_short
 // thought: a nanometre is short enough
 #include "catch_the_mistake.h"
 
