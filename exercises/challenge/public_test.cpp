@@ -50,8 +50,8 @@ void expectWithin(const Run& run, const std::vector<End>& ends, std::size_t node
     MUELLE_LABEL("where node " + std::to_string(each.node) + " is at the end", "m");
     EXPECT_VECTOR_NEAR(VecX(scenes::nodeOf(run.end, each.node)), VecX(each.x), error);
   }
-  MUELLE_LABEL("evaluations beyond the " + std::to_string(band) + " of this band, of " +
-               std::to_string(run.evaluations) + " that were asked for");
+  MUELLE_LABEL("evaluations beyond the " + std::to_string(band) + " that this band allows; you ask for " +
+               std::to_string(run.evaluations));
   EXPECT_NUMBER_NEAR(static_cast<double>(std::max(0L, run.evaluations - band)), 0, 0);
 }
 

@@ -37,6 +37,7 @@ class Judgement {
     } else if (asked > band) {
       noteSeen("asked_too_often");
     }
+    if (band == Scene::goal.enough) expectTheSameAgain();
     {
       MUELLE_LABEL("how many coordinates are returned");
       EXPECT_NUMBER_NEAR(static_cast<double>(end_.size()), static_cast<double>(right_.size()), 0);
@@ -45,7 +46,7 @@ class Judgement {
       MUELLE_LABEL(fmt::format("largest error of a coordinate at the end, after {} evaluations", asked), "m");
       EXPECT_NUMBER_NEAR(error, 0, Scene::goal.error);
     }
-    MUELLE_LABEL(fmt::format("evaluations beyond the {} of this band, of {} that were asked for", band, asked));
+    MUELLE_LABEL(fmt::format("evaluations beyond the {} that this band allows; you ask for {}", band, asked));
     EXPECT_NUMBER_NEAR(static_cast<double>(std::max(0L, asked - band)), 0, 0);
   }
 
@@ -55,12 +56,21 @@ class Judgement {
     return Trial::numbersFrom(random);
   }
 
+  /// A method that keeps something between its calls is right once.
+  void expectTheSameAgain() {
+    Asked<Scene> again(Trial::sceneOf(numbers_));
+    const double difference = distance(Trial::submitted(again), end_);
+    if (difference > 0) noteSeen("kept_between_calls");
+    MUELLE_LABEL("largest difference between the ends of two runs of the same scene", "m");
+    EXPECT_NUMBER_NEAR(difference, 0, 0);
+  }
+
   static void noteSeen(const std::string& id) { muelle::grader::noteSeen(Trial::function, id); }
 
   bool hasGrown() const { return !(end_.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < farAway); }
 
   std::string whyStopped() const {
-    if (!(asked_.tally().farthest < farAway)) return "steps_too_long";
+    if (!(asked_.tally().farthest < farAway)) return "grows_without_bound";
     return asked_.tally().evaluations() > Scene::goal.enough ? "asked_for_ever" : "";
   }
 
@@ -75,7 +85,7 @@ class Judgement {
 
   std::string whyInexact() const {
     if (end_.size() != right_.size()) return "";
-    if (hasGrown()) return "steps_too_long";
+    if (hasGrown()) return "grows_without_bound";
     if (asked_.tally().evaluations() == 0) return "asked_nothing";
     if (isWithoutDraught()) return "draught_left_out";
     const long steps = asked_.tally().forces;

@@ -1,4 +1,4 @@
-// loses: BallEnough, BallGood, BallBest; misconception: steps_too_long or asked_for_ever or too_inexact
+// loses: BallEnough, BallGood, BallBest; misconception: grows_without_bound or asked_for_ever or too_inexact
 #include "challenge.h"
 
 #include <Eigen/SparseCholesky>

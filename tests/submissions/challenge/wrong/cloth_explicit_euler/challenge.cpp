@@ -1,4 +1,4 @@
-// loses: ClothEnough, ClothGood, ClothBest; misconception: steps_too_long
+// loses: ClothEnough, ClothGood, ClothBest; misconception: grows_without_bound
 #include "challenge.h"
 
 namespace {

@@ -1,4 +1,4 @@
-// loses: ClothEnough, ClothGood, ClothBest; misconception: too_inexact or steps_too_long
+// loses: ClothEnough, ClothGood, ClothBest; misconception: too_inexact or grows_without_bound
 #include "challenge.h"
 
 #include <Eigen/SparseCholesky>

@@ -1,4 +1,4 @@
-// loses: ClothEnough, ClothGood, ClothBest; misconception: steps_too_long or too_inexact
+// loses: ClothEnough, ClothGood, ClothBest; misconception: grows_without_bound or too_inexact
 #include "challenge.h"
 
 #include <Eigen/SparseCholesky>

@@ -1,4 +1,4 @@
-// loses: RabbitEnough, RabbitGood, RabbitBest; misconception: too_inexact or steps_too_long
+// loses: RabbitEnough, RabbitGood, RabbitBest; misconception: too_inexact or grows_without_bound
 #include "challenge.h"
 
 #include <Eigen/SparseCholesky>

@@ -1,0 +1,66 @@
+// loses: ClothEnough, ClothGood, ClothBest; misconception: grows_without_bound
+// The student takes Runge-Kutta of fourth order for a stiff system, which explodes with every step that is allowed.
+#include "challenge.h"
+
+#include <Eigen/Sparse>
+
+namespace {
+
+struct Motion {
+  double t;
+  VecX x, v;
+};
+
+void rungeKutta(const Force& force, const VecX& m, Motion& s, double h) {
+  const VecX xa = s.v;
+  const VecX va = force(s.t, s.x, s.v).cwiseQuotient(m);
+  const VecX xb = s.v + 0.5 * h * va;
+  const VecX vb = force(s.t + 0.5 * h, s.x + 0.5 * h * xa, xb).cwiseQuotient(m);
+  const VecX xc = s.v + 0.5 * h * vb;
+  const VecX vc = force(s.t + 0.5 * h, s.x + 0.5 * h * xb, xc).cwiseQuotient(m);
+  const VecX xd = s.v + h * vc;
+  const VecX vd = force(s.t + h, s.x + h * xc, xd).cwiseQuotient(m);
+  s.x += h / 6 * (xa + 2 * xb + 2 * xc + xd);
+  s.v += h / 6 * (va + 2 * vb + 2 * vc + vd);
+  s.t += h;
+}
+
+}  // namespace
+
+VecX squeezedRabbit(const Force& force, const VecX& m, const VecX& x0, const VecX& v0) {
+  Motion s{0.0, x0, v0};
+  const int n = 122;
+  for (int i = 0; i < n; ++i) {
+    s.t = i * rabbitDuration / n;
+    rungeKutta(force, m, s, rabbitDuration / n);
+  }
+  return s.x;
+}
+
+VecX stiffCloth(const Force& force, const Hessian& hessian, const VecX& m, const VecX& x0, const VecX& v0) {
+  (void)hessian;
+  Motion s{0.0, x0, v0};
+  const int n = 2900;
+  for (int i = 0; i < n; ++i) rungeKutta(force, m, s, clothDuration / n);
+  return s.x;
+}
+
+VecX bouncingBall(const Force& force, const VecX& m, const VecX& x0, const VecX& v0) {
+  const double flight = 0.03, ground = 3e-4;
+  Motion s{0.0, x0, v0};
+  while (s.t < ballDuration) {
+    const double rest = ballDuration - s.t;
+    // how long until it is at the ground if it fell a little faster than it does
+    const double vz = s.v[2], z = s.x[2];
+    double h = ground;
+    if (z > 0) {
+      const double g = 10.5;
+      const double fall = (vz + std::sqrt(vz * vz + 2 * g * z)) / g;
+      h = std::clamp(0.9 * fall, ground, flight);
+    }
+    const bool last = h >= rest;
+    rungeKutta(force, m, s, last ? rest : h);
+    if (last) break;
+  }
+  return s.x;
+}
