@@ -75,7 +75,7 @@ class Contract {
     return type == "double" || type == "int" || type == "std::size_t" || type == "long";
   }
 
-  /// Its range has a unit, or what its \param says, or some line that names it. A name in brackets is a unit: [m].
+  /// Its range has a unit, or what is said of it as an argument, or some line that names it. A name in brackets is a unit: [m].
   bool parameterHasUnit(const std::string& name) const {
     const std::regex range("^MUELLE_RANGE\\(" + name + ",.*\\)\\s*//\\s*\\S");
     const std::regex own("\\\\param\\s+(\\w+\\s*,\\s*)*" + name + "\\b");
@@ -96,7 +96,7 @@ class Contract {
     return isTold;
   }
 
-  /// What a \param says: from its place in a line to the next command of the comment, or the comment's end.
+  /// What is said of an argument: from its place in a line to the next command of the comment, or the comment's end.
   std::string paragraphFrom(std::size_t line, std::size_t place) const {
     std::string words = lines_[line].substr(place + 1);
     for (++line; line < lines_.size() && isComment(lines_[line]); ++line) words += lines_[line];
