@@ -55,7 +55,7 @@ class Contract {
     return std::regex_replace(words, argument, "");
   }
 
-  /// \param line of the function
+  /// On the line of its function.
   void lintParameter(const Parameter& parameter, std::size_t line) {
     if (!seen_.insert(parameter.name).second) return;
     const bool isNumber = isNumeric(parameter.type);
@@ -75,7 +75,8 @@ class Contract {
     return type == "double" || type == "int" || type == "std::size_t" || type == "long";
   }
 
-  /// Its range has a unit, or what is said of it as an argument, or some line that names it. A name in brackets is a unit: [m].
+  /// Its range has a unit, or what is said of it as an argument, or some line that names it. A name in brackets is a
+  /// unit: [m].
   bool parameterHasUnit(const std::string& name) const {
     const std::regex range("^MUELLE_RANGE\\(" + name + ",.*\\)\\s*//\\s*\\S");
     const std::regex own("\\\\param\\s+(\\w+\\s*,\\s*)*" + name + "\\b");
