@@ -1,5 +1,6 @@
 #include "course/contract.h"
 
+#include "base/text/lists.h"
 #include "base/text/trim.h"
 #include "base/text/words.h"
 #include "course/check/source_tokens.h"
@@ -48,14 +49,8 @@ std::map<std::string_view, std::vector<std::string>> structsIn(const Tokens& tok
   return structs;
 }
 
-std::string joined(const Tokens& tokens) {
-  std::string text;
-  for (const std::string_view token : tokens) text += token;
-  return text;
-}
-
 double numberOf(const Tokens& tokens, const std::string& name) {
-  const std::string text = joined(tokens);
+  const std::string text = joined(tokens, "");
   char* end = nullptr;
   const double number = std::strtod(text.c_str(), &end);
   if (text.empty() || *end != '\0') {
@@ -95,7 +90,7 @@ std::vector<Range> rangesOf(std::string_view contract) {
     if (tokens[i] != "MUELLE_RANGE" || tokens[i + 1] != "(") continue;
     const std::vector<Tokens> arguments = argumentsAt(tokens, i + 1);
     if (arguments.size() != 3) throw std::runtime_error("MUELLE_RANGE has a name, the least and the most");
-    const std::string name = joined(arguments[0]);
+    const std::string name = joined(arguments[0], "");
     ranges.push_back({name, numberOf(arguments[1], name), numberOf(arguments[2], name)});
   }
   return ranges;
@@ -106,7 +101,7 @@ std::vector<std::string> functionsOf(std::string_view contract) {
   std::vector<std::string> functions;
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     if (tokens[i] != "MUELLE_FUNCTIONS" || tokens[i + 1] != "(") continue;
-    for (const Tokens& each : argumentsAt(tokens, i + 1)) functions.push_back(joined(each));
+    for (const Tokens& each : argumentsAt(tokens, i + 1)) functions.push_back(joined(each, ""));
   }
   return functions;
 }

@@ -1,5 +1,7 @@
 #include "base/text/nearest.h"
 
+#include "base/text/lists.h"
+
 #include <algorithm>
 
 namespace muelle {
@@ -44,16 +46,10 @@ std::string didYouMean(const std::string& word, const std::vector<std::string>& 
   return name.empty() ? "" : "; did you mean '" + name + "'?";
 }
 
-std::string listOf(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
 std::string suggestion(const std::string& word, const std::vector<std::string>& names) {
   const std::string guess = didYouMean(word, names);
   if (!guess.empty()) return guess;
-  return (names.size() == 1 ? "; there is " : "; there are ") + (names.empty() ? "none" : listOf(names));
+  return (names.size() == 1 ? "; there is " : "; there are ") + (names.empty() ? "none" : joined(names, ", "));
 }
 
 }  // namespace muelle

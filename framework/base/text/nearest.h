@@ -14,9 +14,6 @@ std::string nearest(const std::string& word, const std::vector<std::string>& nam
 /// "; did you mean 'points'?" or "" when nothing is near.
 std::string didYouMean(const std::string& word, const std::vector<std::string>& names);
 
-/// "a, b, c".
-std::string listOf(const std::vector<std::string>& names);
-
 /// What to say after an unknown word: "; did you mean 'points'?", or "; there are order, points, title" when nothing is
 /// near.
 std::string suggestion(const std::string& word, const std::vector<std::string>& names);

@@ -1,5 +1,6 @@
 #include "base/toml/table.h"
 
+#include "base/text/lists.h"
 #include "base/text/nearest.h"
 #include "base/text/printable.h"
 
@@ -44,10 +45,11 @@ std::string TomlTable::oneKeyOf(const Keys& keys, bool required) const {
   std::string found;
   for (const std::string& key : keys) {
     if (!has(key)) continue;
-    if (!found.empty()) fail(key, fmt::format("goes not together with '{}': give one of {}", found, listOf(keys)));
+    if (!found.empty())
+      fail(key, fmt::format("goes not together with '{}': give one of {}", found, joined(keys, ", ")));
     found = key;
   }
-  if (required && found.empty()) failHere(fmt::format("one of the keys {} is needed", listOf(keys)));
+  if (required && found.empty()) failHere(fmt::format("one of the keys {} is needed", joined(keys, ", ")));
   return found;
 }
 

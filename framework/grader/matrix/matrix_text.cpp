@@ -152,8 +152,6 @@ std::string csvLine(const std::vector<std::string>& fields) {
   return line + "\n";
 }
 
-std::string spaced(const std::set<std::string>& names) { return joined(names, " "); }
-
 const char* kindText(MatrixRow::Kind kind) {
   switch (kind) {
     case MatrixRow::Kind::Solution:
@@ -224,7 +222,7 @@ std::string matrixCsv(const std::vector<TopicMatrix>& matrices) {
         const std::string observed = row.lost.contains(criterion.suite) ? "lost" : "passed";
         text += csvLine({topic, kindText(row.kind), row.name, criterion.suite,
                          row.expected.lost.contains(criterion.suite) ? "lost" : "passed",
-                         row.trouble.empty() ? observed : row.trouble, spaced(row.named)});
+                         row.trouble.empty() ? observed : row.trouble, joined(row.named, " ")});
       }
     }
     for (const Mutant& mutant : matrix.mutants) {

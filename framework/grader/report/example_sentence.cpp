@@ -60,13 +60,13 @@ bool hasFewDigits(const std::string& source) {
 bool isForPaper(const CounterExample& example) { return std::ranges::all_of(example.arguments, hasFewDigits); }
 
 std::string exampleSentence(const CounterExample& example) {
+  const std::string call = fmt::format("{}({})", example.function, joined(example.arguments, ", "));
   if (example.isVerdict && example.got.size() == 1 && example.expected.size() == 1) {
-    return fmt::format("{}({}): you return {}, it is {}", example.function, joined(example.arguments, ", "),
-                       example.got.front() != 0, example.expected.front() != 0);
+    return fmt::format("{}: you return {}, it is {}", call, example.got.front() != 0, example.expected.front() != 0);
   }
   const bool exactly = shown(example.got, false) == shown(example.expected, false);
-  return fmt::format("{}({}): you return {}, it is {}", example.function, joined(example.arguments, ", "),
-                     shown(example.got, exactly), shown(example.expected, exactly));
+  return fmt::format("{}: you return {}, it is {}", call, shown(example.got, exactly),
+                     shown(example.expected, exactly));
 }
 
 }  // namespace muelle::grader

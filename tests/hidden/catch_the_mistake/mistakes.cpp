@@ -32,6 +32,11 @@ auto forceSeen(const LooksAtForce& looks) {
   };
 }
 
+/// Of one who asks for coincident nodes, and for lengths down to this one [m].
+auto forceSeenDownTo(double least) {
+  return forceSeen([least](double xa, double xb, double, double) { return xa == xb || std::abs(xa - xb) >= least; });
+}
+
 // --- energies -------------------------------------------------------------------------------------------------------
 
 Vec3 across(const Vec6& x) { return x.head<3>() - x.tail<3>(); }
@@ -58,6 +63,10 @@ auto springSeen(const LooksAtSpring& looks) {
         [&](const Vec6& x, double k, double L0) { return isSeen(x, L0) ? E(x, k, L0) : rightEnergy(x, k, L0); },
         [&](const Vec6& x, double k, double L0) { return isSeen(x, L0) ? dE(x, k, L0) : rightGradient(x, k, L0); });
   };
+}
+
+auto springSeenDownTo(double least) {
+  return springSeen([least](double L, double) { return L == 0 || L >= least; });
 }
 
 /// Whether the gradient is the derivative of the energy, by differences, at springs of every kind.
@@ -93,6 +102,10 @@ auto damperSeen(const LooksAtDamper& looks) {
   };
 }
 
+auto damperSeenDownTo(double least) {
+  return damperSeen([least](const Vec3& r, const Vec3&, const Vec3&) { return r.isZero(0) || r.norm() >= least; });
+}
+
 /// The verdict of one who catches exceptions.
 template <class Asked>
 bool answersAnd(const Asked& asked) {
@@ -113,16 +126,11 @@ MUELLE_MISTAKE(isSpringForceRight, stretched_only,
 MUELLE_MISTAKE(isSpringForceRight, one_order, forceSeen([](double xa, double xb, double, double) { return xa >= xb; }));
 MUELLE_MISTAKE(isSpringForceRight, never_coincident,
                forceSeen([](double xa, double xb, double, double) { return xa != xb; }));
-MUELLE_MISTAKE(isSpringForceRight, never_short,
-               forceSeen([](double xa, double xb, double, double) { return xa == xb || std::abs(xa - xb) >= near; }));
+MUELLE_MISTAKE(isSpringForceRight, never_short, forceSeenDownTo(near));
 namespace to_a_nanometre {
-MUELLE_MISTAKE(isSpringForceRight, never_short, forceSeen([](double xa, double xb, double, double) {
-                 return xa == xb || std::abs(xa - xb) >= nanometre;
-               }));
-MUELLE_MISTAKE(isGradientRight, never_short, springSeen([](double L, double) { return L == 0 || L >= nanometre; }));
-MUELLE_MISTAKE(isDampingRight, never_short, damperSeen([](const Vec3& r, const Vec3&, const Vec3&) {
-                 return r.isZero(0) || r.norm() >= nanometre;
-               }));
+MUELLE_MISTAKE(isSpringForceRight, never_short, forceSeenDownTo(nanometre));
+MUELLE_MISTAKE(isGradientRight, never_short, springSeenDownTo(nanometre));
+MUELLE_MISTAKE(isDampingRight, never_short, damperSeenDownTo(nanometre));
 }  // namespace to_a_nanometre
 MUELLE_MISTAKE(isSpringForceRight, no_edges,
                forceSeen([](double xa, double xb, double, double) { return std::abs(xa - xb) >= near; }));
@@ -145,7 +153,7 @@ MUELLE_MISTAKE(isGradientRight, gradient_unasked,
                [](const SpringEnergy& E, const EnergyGradient&) { return oracle::isGradientRight(E, rightGradient); });
 MUELLE_MISTAKE(isGradientRight, stretched_only, springSeen([](double L, double L0) { return L >= L0; }));
 MUELLE_MISTAKE(isGradientRight, never_coincident, springSeen([](double L, double) { return L > 0; }));
-MUELLE_MISTAKE(isGradientRight, never_short, springSeen([](double L, double) { return L == 0 || L >= near; }));
+MUELLE_MISTAKE(isGradientRight, never_short, springSeenDownTo(near));
 MUELLE_MISTAKE(isGradientRight, no_edges, springSeen([](double L, double) { return L >= near; }));
 
 MUELLE_MISTAKE(isDampingRight, accepts_all, [](const ProjectedDamping&) { return true; });
@@ -160,7 +168,6 @@ MUELLE_MISTAKE(isDampingRight, parting_only,
                damperSeen([](const Vec3& r, const Vec3& va, const Vec3& vb) { return r.dot(va - vb) >= 0; }));
 MUELLE_MISTAKE(isDampingRight, never_coincident,
                damperSeen([](const Vec3& r, const Vec3&, const Vec3&) { return !r.isZero(0); }));
-MUELLE_MISTAKE(isDampingRight, never_short,
-               damperSeen([](const Vec3& r, const Vec3&, const Vec3&) { return r.isZero(0) || r.norm() >= near; }));
+MUELLE_MISTAKE(isDampingRight, never_short, damperSeenDownTo(near));
 MUELLE_MISTAKE(isDampingRight, no_edges,
                damperSeen([](const Vec3& r, const Vec3&, const Vec3&) { return r.norm() >= near; }));
