@@ -83,6 +83,14 @@ TEST(EigenMessage, CountsWhatFollowsACommaInitializer) {
             "too many numbers after << for the size of the vector or matrix in springForce");
 }
 
+double thrown() { throw std::runtime_error("no spring has index 7"); }
+
+TEST(EigenMessage, LeavesAnExceptionThatIsOnItsWay) {
+  Vec3 v;
+  EXPECT_EQ(said([&] { v << 1, thrown(); }), "no spring has index 7");
+  EXPECT_EQ(said([&] { v << 1, v[three], thrown(); }), "index 3 of a 3-vector in springForce");
+}
+
 TEST(EigenMessage, RefusesToResizeAFixedVector) {
   EXPECT_EQ(
       said([] {

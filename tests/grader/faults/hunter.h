@@ -1,6 +1,7 @@
 #pragma once
 #include <sys/types.h>
 #include <atomic>
+#include <semaphore>
 #include <set>
 #include <string>
 #include <thread>
@@ -28,7 +29,7 @@ class Hunter {
   int most_;
   std::set<pid_t> older_;  ///< processes that were there before
   std::atomic<int> hits_{0};
-  std::atomic<bool> ends_{false};
+  std::binary_semaphore end_{0};  ///< free as soon as the hunt is over
   std::thread thread_;
 };
 
