@@ -2,9 +2,9 @@
 
 #include "course/testing/expect.h"
 #include "course/testing/random.h"
-#include "engine/forces/angle.h"
-#include "engine/forces/area.h"
-#include "engine/forces/volume.h"
+#include "engine/elements/angle/angle.h"
+#include "engine/elements/area/area.h"
+#include "engine/elements/volume/volume.h"
 #include "grader/testing/ladders.h"
 #include "grader/testing/of_use.h"
 #include "grader/testing/plain_numbers.h"

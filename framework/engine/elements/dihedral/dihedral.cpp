@@ -1,8 +1,8 @@
-#include "engine/forces/dihedral.h"
+#include "engine/elements/dihedral/dihedral.h"
 
-#include "engine/forces/cross_matrix.h"
-#include "engine/forces/element_batch_impl.h"
-#include "engine/forces/gonzalez.h"
+#include "engine/elements/cross_matrix.h"
+#include "engine/elements/element_batch_impl.h"
+#include "engine/elements/gonzalez.h"
 
 #include <Eigen/Geometry>
 

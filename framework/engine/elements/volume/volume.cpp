@@ -1,7 +1,7 @@
-#include "engine/forces/volume.h"
+#include "engine/elements/volume/volume.h"
 
-#include "engine/forces/cross_matrix.h"
-#include "engine/forces/element_batch_impl.h"
+#include "engine/elements/cross_matrix.h"
+#include "engine/elements/element_batch_impl.h"
 
 #include <Eigen/Geometry>
 

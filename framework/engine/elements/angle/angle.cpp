@@ -1,7 +1,7 @@
-#include "engine/forces/angle.h"
+#include "engine/elements/angle/angle.h"
 
-#include "engine/forces/element_batch_impl.h"
-#include "engine/forces/gonzalez.h"
+#include "engine/elements/element_batch_impl.h"
+#include "engine/elements/gonzalez.h"
 
 #include <Eigen/Geometry>
 

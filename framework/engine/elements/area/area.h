@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/forces/element_batch.h"
+#include "engine/elements/element_batch.h"
 
 namespace muelle::engine {
 

@@ -1,6 +1,6 @@
-#include "engine/forces/area.h"
+#include "engine/elements/area/area.h"
 
-#include "engine/forces/element_batch_impl.h"
+#include "engine/elements/element_batch_impl.h"
 
 namespace muelle::engine {
 

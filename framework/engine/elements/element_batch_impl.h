@@ -2,7 +2,7 @@
 /// \file
 /// Bodies of ElementBatch, for the files that instantiate it.
 
-#include "engine/forces/element_batch.h"
+#include "engine/elements/element_batch.h"
 #include "engine/forces/positive_part.h"
 
 namespace muelle::engine {
