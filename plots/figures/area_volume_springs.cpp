@@ -23,10 +23,10 @@ engine::Model turnedOver(int dimension, double stiffness) {
   if (dimension == 2) model.nodes[0].x.y() = model.nodes[1].x.y() = 0.0;
   model.nodes.push_back({.x = Vec3(0.0, 0.0, -1.0), .m = 1.0});
   const Vec3 a = model.nodes[0].x, b = model.nodes[1].x;
-  if (dimension == 2) model.areas.push_back({.a = 0, .b = 1, .c = 2, .k = stiffness, .A0 = 0.5 * (b - a).norm()});
+  if (dimension == 2) model.areas.push_back({.k = stiffness, .A0 = 0.5 * (b - a).norm()});
   if (dimension == 3) {
     const double V0 = (b - a).cross(model.nodes[2].x - a).norm() / 6.0;
-    model.volumes.push_back({.a = 0, .b = 1, .c = 2, .d = 3, .k = stiffness, .V0 = V0});
+    model.volumes.push_back({.k = stiffness, .V0 = V0});
   }
   return model;
 }

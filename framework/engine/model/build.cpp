@@ -1,17 +1,12 @@
 #include "engine/contact/contact.h"
-#include "engine/elements/angle/angle.h"
-#include "engine/elements/area/area.h"
-#include "engine/elements/cross_matrix.h"
-#include "engine/elements/dihedral/dihedral.h"
-#include "engine/elements/volume/volume.h"
 #include "engine/forces/external_force.h"
 #include "engine/forces/gravity.h"
 #include "engine/forces/property.h"
 #include "engine/forces/spring.h"
 #include "engine/kernels/grid_numbering.h"
 #include "engine/model/axes.h"
+#include "engine/model/builder.h"
 #include "engine/model/damping.h"
-#include "engine/model/mass_spring_system.h"
 #include "engine/model/numbering.h"
 #include "engine/model/parts.h"
 #include "engine/model/validate.h"
@@ -27,7 +22,7 @@ namespace {
 /// Pairs of free nodes that share an element, in the user's numbers.
 std::vector<std::pair<int, int>> couplings(const Model& model) {
   std::vector<std::pair<int, int>> edges;
-  const auto join = [&](std::initializer_list<int> nodes) {
+  const auto join = [&](const auto& nodes) {
     for (auto a = nodes.begin(); a != nodes.end(); ++a) {
       for (auto b = nodes.begin(); b != a; ++b) {
         if (isFree(model.nodes[static_cast<std::size_t>(*a)]) && isFree(model.nodes[static_cast<std::size_t>(*b)])) {
@@ -36,11 +31,10 @@ std::vector<std::pair<int, int>> couplings(const Model& model) {
       }
     }
   };
-  for (const ModelSpring& s : model.springs) join({s.a, s.b});
-  for (const ModelAngle& e : model.angles) join({e.a, e.b, e.c});
-  for (const ModelDihedral& e : model.dihedrals) join({e.a, e.b, e.c, e.d});
-  for (const ModelArea& e : model.areas) join({e.a, e.b, e.c});
-  for (const ModelVolume& e : model.volumes) join({e.a, e.b, e.c, e.d});
+  for (const ModelSpring& s : model.springs) join(std::array{s.a, s.b});
+  forEachElementKind(model, [&](const auto& elements) {
+    for (const auto& element : elements) join(element.nodes);
+  });
   return edges;
 }
 
@@ -100,36 +94,6 @@ Numbering number(const Model& model, const kernels::GridNumbering& grid) {
   return numbering;
 }
 
-/// What the makers of batches share.
-struct Builder {
-  const Model& model;
-  const Numbering& numbering;
-  std::vector<std::unique_ptr<ForceBatch>> batches = {};
-
-  int built(int user) const { return numbering.built[static_cast<std::size_t>(user)]; }
-  const ModelNode& node(int built) const {
-    return model.nodes[static_cast<std::size_t>(numbering.user[static_cast<std::size_t>(built)])];
-  }
-  bool isFreeNode(int user) const { return isFree(model.nodes[static_cast<std::size_t>(user)]); }
-  /// Elements none of whose nodes is free move nothing and are left out.
-  bool anyFree(std::initializer_list<int> user) const {
-    return std::ranges::any_of(user, [this](int i) { return isFreeNode(i); });
-  }
-  int dimension() const { return static_cast<int>(numbering.axes.size()); }
-  /// An array of lanes with value(node, axis) at those of free nodes, 0 at the others.
-  template <class Value>
-  std::vector<double> lanes(const Value& value) const {
-    std::vector<double> all(static_cast<std::size_t>(numbering.layout.storage), 0.0);
-    for (const int i : numbering.freeNodes) {
-      for (int c = 0; c < dimension(); ++c) {
-        all[static_cast<std::size_t>(numbering.layout.lane(i, c))] =
-            value(node(i), numbering.axes[static_cast<std::size_t>(c)]);
-      }
-    }
-    return all;
-  }
-};
-
 void addGravity(Builder& builder) {
   if (builder.model.gravity.isZero(0.0)) return;
   const Vec3& g = builder.model.gravity;
@@ -155,7 +119,7 @@ void addSprings(Builder& builder) {
   std::map<std::pair<SpringKind, kernels::Damping>, std::vector<SpringElement>> all;
   for (std::size_t i = 0; i < builder.model.springs.size(); ++i) {
     const ModelSpring& s = builder.model.springs[i];
-    if (s.rod || !builder.anyFree({s.a, s.b})) continue;
+    if (s.rod || !anyFree(builder.model, std::array{s.a, s.b})) continue;
     const double dProjected = projectedDamping(builder.model, s);
     const kernels::Damping form = kernels::dampingOf({s.a, s.b, s.k, s.L0, s.dRelative, dProjected}, D);
     all[{kindOf(builder.model, s), form}].push_back({builder.built(s.a), builder.built(s.b), s.k, s.L0, s.dRelative,
@@ -176,51 +140,6 @@ Eigen::Matrix<double, D, 1> inScene(const Vec3& full, const std::vector<int>& ax
   Eigen::Matrix<double, D, 1> own;
   for (int c = 0; c < D; ++c) own[c] = full[axes[static_cast<std::size_t>(c)]];
   return own;
-}
-
-template <int D, class Element>
-void addElements(Builder& builder, std::vector<Element> elements) {
-  if (elements.empty()) return;
-  builder.batches.push_back(std::make_unique<ElementBatch<D, Element>>(std::move(elements)));
-}
-
-template <int D>
-void addPlaneElements(Builder& builder) {
-  std::vector<Angle<D>> angles;
-  for (const ModelAngle& e : builder.model.angles) {
-    if (!builder.anyFree({e.a, e.b, e.c})) continue;
-    angles.push_back({{builder.built(e.a), builder.built(e.b), builder.built(e.c)}, e.k, e.theta0});
-  }
-  addElements<D>(builder, std::move(angles));
-  std::vector<Area<D>> areas;
-  for (const ModelArea& e : builder.model.areas) {
-    if (!builder.anyFree({e.a, e.b, e.c})) continue;
-    Eigen::Matrix<double, D, D> turn;
-    if constexpr (D == 2) {
-      turn << 0.0, 1.0, -1.0, 0.0;
-    } else {
-      // u . S w = normal . (u x w) = u . (w x normal)
-      turn = -crossMatrix(e.normal.normalized());
-    }
-    areas.push_back({{builder.built(e.a), builder.built(e.b), builder.built(e.c)}, e.k, e.A0, turn});
-  }
-  addElements<D>(builder, std::move(areas));
-}
-
-void addSpaceElements(Builder& builder) {
-  const auto nodesOf = [&](const auto& e) {
-    return std::array{builder.built(e.a), builder.built(e.b), builder.built(e.c), builder.built(e.d)};
-  };
-  std::vector<Dihedral> dihedrals;
-  for (const ModelDihedral& e : builder.model.dihedrals) {
-    if (builder.anyFree({e.a, e.b, e.c, e.d})) dihedrals.push_back({nodesOf(e), e.k, e.theta0});
-  }
-  addElements<3>(builder, std::move(dihedrals));
-  std::vector<Volume> volumes;
-  for (const ModelVolume& e : builder.model.volumes) {
-    if (builder.anyFree({e.a, e.b, e.c, e.d})) volumes.push_back({nodesOf(e), e.k, e.V0});
-  }
-  addElements<3>(builder, std::move(volumes));
 }
 
 void addProperties(Builder& builder) {
@@ -338,8 +257,7 @@ std::unique_ptr<ModelSystem> buildIn(const Model& model) {
   addSprings<D>(builder);
   const std::size_t onGrid = builder.batches.size();
   std::optional<GridForce> gridForce = makeGridForce(builder, std::move(grid));
-  if constexpr (D > 1) addPlaneElements<D>(builder);
-  if constexpr (D == 3) addSpaceElements(builder);
+  forEachElementKind(model, [&]<class List>(const List& elements) { ElementOf<List>::addTo(builder, elements); });
   addProperties(builder);
   addExternalForces<D>(builder);
   addObstacles<D>(builder);

@@ -1,6 +1,12 @@
 #pragma once
+#include "engine/elements/angle/model_angle.h"
+#include "engine/elements/area/model_area.h"
+#include "engine/elements/dihedral/model_dihedral.h"
+#include "engine/elements/element.h"
+#include "engine/elements/volume/model_volume.h"
 #include "harness/types.h"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <limits>
@@ -33,9 +39,6 @@ struct ModelNode {
 /// Whether nothing holds or moves the node.
 inline bool isFree(const ModelNode& node) { return !node.pinned && node.motion < 0; }
 
-/// The part of an element that names none: all such of its kind are one ("spring", "angle"; see partsOf()).
-inline constexpr int partOfItsKind = -1;
-
 /// F_a = -k (L - L0) n - dRelative (va - vb) - dProjected ((va - vb) . n) n, n = (xa - xb) / L.
 struct ModelSpring {
   int a = 0, b = 1;
@@ -50,42 +53,6 @@ struct ModelSpring {
   bool isSigned = false;
   int part = partOfItsKind;  ///< index into Model::parts
   double dampingRatio = 0;   ///< above 0 in place of dProjected, which then is 0: see projectedDamping()
-};
-
-/// Three nodes a - b - c that resist bending at b: E = k (theta - theta0)^2 / 2, theta the turning angle at b, 0 when
-/// straight; in 2D positive anticlockwise, in 3D never negative. Not in 1D.
-struct ModelAngle {
-  int a = 0, b = 1, c = 2;
-  double k = 1.0;  ///< [J/rad^2]
-  double theta0 = 0.0;
-  int part = partOfItsKind;  ///< index into Model::parts
-};
-
-/// Two triangles (a, b, c) and (b, a, d) with the common edge ab: E = k (theta - theta0)^2 / 2, theta the signed angle
-/// between their normals. 3D only.
-struct ModelDihedral {
-  int a = 0, b = 1, c = 2, d = 3;
-  double k = 1.0;  ///< [J/rad^2]
-  double theta0 = 0.0;
-  int part = partOfItsKind;  ///< index into Model::parts
-};
-
-/// E = k (A - A0)^2 / 2 with the signed area of abc: in 2D positive when anticlockwise. In 3D the area is measured
-/// along the unit vector `normal`.
-struct ModelArea {
-  int a = 0, b = 1, c = 2;
-  double k = 1.0;               ///< [N/m^3]
-  double A0 = 1.0;              ///< [m^2]
-  Vec3 normal = Vec3::UnitZ();  ///< 3D only
-  int part = partOfItsKind;     ///< index into Model::parts
-};
-
-/// E = k (V - V0)^2 / 2 with the signed volume of the tetrahedron abcd, (b-a) . ((c-a) x (d-a)) / 6. 3D only.
-struct ModelVolume {
-  int a = 0, b = 1, c = 2, d = 3;
-  double k = 1.0;            ///< [N/m^5]
-  double V0 = 1.0;           ///< [m^3]
-  int part = partOfItsKind;  ///< index into Model::parts
 };
 
 /// A property of many nodes: E = k (p - p0)^2 / 2, p = sum_i weight_i . x_i. The mean height of n nodes has weight
@@ -156,5 +123,31 @@ struct Model {
   bool springsCross = false;
   bool renumber = true;  ///< reverse Cuthill-McKee inside; results keep the user's numbering
 };
+
+/// Calls use(list) for the elements of each kind: the one list of these kinds (see elements/element.h).
+template <class AnyModel, class Use>
+void forEachElementKind(AnyModel& model, const Use& use) {
+  use(model.angles);
+  use(model.dihedrals);
+  use(model.areas);
+  use(model.volumes);
+}
+
+/// The struct of a list that forEachElementKind() gives.
+template <class List>
+using ElementOf = typename List::value_type;
+
+/// How many elements there are, of all kinds.
+inline std::size_t elementCount(const Model& model) {
+  std::size_t count = 0;
+  forEachElementKind(model, [&](const auto& elements) { count += elements.size(); });
+  return count;
+}
+
+/// Whether one of the nodes is free: an element of held nodes moves nothing.
+template <class Nodes>
+bool anyFree(const Model& model, const Nodes& nodes) {
+  return std::ranges::any_of(nodes, [&](int i) { return isFree(model.nodes[static_cast<std::size_t>(i)]); });
+}
 
 }  // namespace muelle::engine

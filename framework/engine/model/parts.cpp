@@ -16,10 +16,7 @@ namespace {
 template <class AnyModel, class Use>
 void forEachKind(AnyModel& model, const Use& use) {
   use("spring", model.springs);
-  use("angle", model.angles);
-  use("dihedral", model.dihedrals);
-  use("area", model.areas);
-  use("volume", model.volumes);
+  forEachElementKind(model, [&]<class List>(List& elements) { use(ElementOf<List>::kind, elements); });
   use("property", model.properties);
   use("force", model.externalForces);
 }
@@ -35,11 +32,11 @@ class ElementCount {
  public:
   explicit ElementCount(const Model& model) : model_(model) {}
 
-  long long of(const ModelSpring& e) const { return !e.rod && anyFree({e.a, e.b}) ? 1 : 0; }
-  long long of(const ModelAngle& e) const { return anyFree({e.a, e.b, e.c}) ? 1 : 0; }
-  long long of(const ModelDihedral& e) const { return anyFree({e.a, e.b, e.c, e.d}) ? 1 : 0; }
-  long long of(const ModelArea& e) const { return anyFree({e.a, e.b, e.c}) ? 1 : 0; }
-  long long of(const ModelVolume& e) const { return anyFree({e.a, e.b, e.c, e.d}) ? 1 : 0; }
+  template <class Element>
+  long long of(const Element& e) const {
+    return anyFree(model_, e.nodes) ? 1 : 0;
+  }
+  long long of(const ModelSpring& e) const { return !e.rod && anyFree(model_, std::array{e.a, e.b}) ? 1 : 0; }
   long long of(const ModelProperty& e) const { return std::ssize(e.nodes); }
   long long of(const ModelExternalForce& e) const {
     return std::ranges::count_if(e.nodes, [this](int i) { return isFreeNode(i); });
@@ -47,9 +44,6 @@ class ElementCount {
 
  private:
   bool isFreeNode(int i) const { return isFree(model_.nodes[static_cast<std::size_t>(i)]); }
-  bool anyFree(std::initializer_list<int> nodes) const {
-    return std::ranges::any_of(nodes, [this](int i) { return isFreeNode(i); });
-  }
 
   const Model& model_;
 };

@@ -1,6 +1,7 @@
 #include "engine/model/validate.h"
 
 #include "base/text/count.h"
+#include "engine/model/require.h"
 #include "engine/model/rods.h"
 
 #include <fmt/format.h>
@@ -13,68 +14,6 @@
 namespace muelle::engine {
 
 namespace {
-
-[[noreturn]] void reject(const std::string& item, const std::string& fault) {
-  throw std::invalid_argument(item + ": " + fault);
-}
-
-bool isDenormal(double value) { return value != 0.0 && std::abs(value) < std::numeric_limits<double>::min(); }
-
-void requireFinite(const std::string& item, const char* what, double value) {
-  if (!std::isfinite(value)) reject(item, fmt::format("{} is {}; it must be finite", what, value));
-}
-
-void requireFinite(const std::string& item, const char* what, const Vec3& value) {
-  for (const double component : value) {
-    if (!std::isfinite(component)) {
-      reject(item, fmt::format("{} is ({}, {}, {}); it must be finite", what, value[0], value[1], value[2]));
-    }
-  }
-}
-
-void requireNotNegative(const std::string& item, const char* what, double value) {
-  if (!(value >= 0.0) || !std::isfinite(value)) {
-    reject(item, fmt::format("{} is {}; it must be finite and not negative", what, value));
-  }
-}
-
-void requireStiffness(const std::string& item, const char* what, double value) {
-  requireNotNegative(item, what, value);
-  if (isDenormal(value)) {
-    reject(item, fmt::format("{} is {}, below the smallest normal number; write 0 for none", what, value));
-  }
-}
-
-void requireUnit(const std::string& item, const char* what, const Vec3& value) {
-  requireFinite(item, what, value);
-  if (!(std::abs(value.norm() - 1.0) < 1e-9)) {
-    reject(item, fmt::format("{} is ({}, {}, {}), of length {}; it must have length 1", what, value[0], value[1],
-                             value[2], value.norm()));
-  }
-}
-
-/// Indices that exist, each once.
-void requireNodes(const Model& model, const std::string& item, std::span<const int> nodes) {
-  const int count = static_cast<int>(model.nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i] < 0 || nodes[i] >= count) {
-      reject(item, fmt::format("there is no node {}; nodes are 0 to {}", nodes[i], count - 1));
-    }
-  }
-}
-
-void requirePart(const Model& model, const std::string& item, int part) {
-  if (part == partOfItsKind || (part >= 0 && part < std::ssize(model.parts))) return;
-  reject(item, fmt::format("there is no part {}; the model has {}", part, counted(std::ssize(model.parts), "part")));
-}
-
-void requireDifferent(const std::string& item, std::span<const int> nodes) {
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (nodes[i] == nodes[j]) reject(item, fmt::format("uses node {} twice", nodes[i]));
-    }
-  }
-}
 
 void checkScene(const Model& model) {
   if (model.dimension < 1 || model.dimension > 3) {
@@ -170,47 +109,23 @@ void checkSprings(const Model& model) {
 }
 
 void checkElements(const Model& model) {
-  for (std::size_t i = 0; i < model.angles.size(); ++i) {
-    const auto& [a, b, c, k, theta0, part] = model.angles[i];
-    const std::string item = fmt::format("angle {}", i);
-    if (model.dimension == 1) reject(item, "a 1D scene has no angles");
-    requireNodes(model, item, std::array{a, b, c});
-    requireDifferent(item, std::array{a, b, c});
-    requireStiffness(item, "stiffness k", k);
-    requireFinite(item, "rest angle", theta0);
-    requirePart(model, item, part);
-  }
-  for (std::size_t i = 0; i < model.dihedrals.size(); ++i) {
-    const auto& [a, b, c, d, k, theta0, part] = model.dihedrals[i];
-    const std::string item = fmt::format("dihedral {}", i);
-    if (model.dimension != 3) reject(item, "dihedral angles need a 3D scene");
-    requireNodes(model, item, std::array{a, b, c, d});
-    requireDifferent(item, std::array{a, b, c, d});
-    requireStiffness(item, "stiffness k", k);
-    requireFinite(item, "rest angle", theta0);
-    requirePart(model, item, part);
-  }
-  for (std::size_t i = 0; i < model.areas.size(); ++i) {
-    const ModelArea& area = model.areas[i];
-    const std::string item = fmt::format("area {}", i);
-    if (model.dimension == 1) reject(item, "a 1D scene has no areas");
-    requireNodes(model, item, std::array{area.a, area.b, area.c});
-    requireDifferent(item, std::array{area.a, area.b, area.c});
-    requireStiffness(item, "stiffness k", area.k);
-    requireFinite(item, "rest area", area.A0);
-    requirePart(model, item, area.part);
-    if (model.dimension == 3) requireUnit(item, "normal", area.normal);
-  }
-  for (std::size_t i = 0; i < model.volumes.size(); ++i) {
-    const auto& [a, b, c, d, k, V0, part] = model.volumes[i];
-    const std::string item = fmt::format("volume {}", i);
-    if (model.dimension != 3) reject(item, "volumes need a 3D scene");
-    requireNodes(model, item, std::array{a, b, c, d});
-    requireDifferent(item, std::array{a, b, c, d});
-    requireStiffness(item, "stiffness k", k);
-    requireFinite(item, "rest volume", V0);
-    requirePart(model, item, part);
-  }
+  forEachElementKind(model, [&]<class List>(const List& elements) {
+    using Element = ElementOf<List>;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const Element& element = elements[i];
+      const std::string item = fmt::format("{} {}", Element::kind, i);
+      if (model.dimension < Element::leastDimension) {
+        reject(item, Element::leastDimension == 3 ? fmt::format("{}s need a 3D scene", Element::kind)
+                                                  : fmt::format("a 1D scene has no {}s", Element::kind));
+      }
+      requireNodes(model, item, element.nodes);
+      requireDifferent(item, element.nodes);
+      requireStiffness(item, "stiffness k", element.k);
+      requireFinite(item, Element::rest, element.restValue());
+      requirePart(model, item, element.part);
+      element.check(item);
+    }
+  });
 }
 
 void checkProperties(const Model& model) {

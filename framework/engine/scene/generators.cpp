@@ -66,35 +66,18 @@ void requireSpace(const Model& model, const char* what) {
   if (model.dimension != 3) throw std::invalid_argument(fmt::format("{} needs a scene of dimension 3", what));
 }
 
-/// The triangle's area where it is, as the model measures it: signed in the plane, along its normal in space.
+/// An area that wants to be as it is, seen along its own normal.
 void addArea(Model& model, const Triangle& t, double modulus, int part) {
-  ModelArea area;
-  area.part = part;
-  area.a = t[0];
-  area.b = t[1];
-  area.c = t[2];
-  const Vec3 ab = positionOf(model, t[1]) - positionOf(model, t[0]);
-  const Vec3 ac = positionOf(model, t[2]) - positionOf(model, t[0]);
-  if (model.dimension == 2) {
-    const auto [p, q] = model.plane;
-    area.A0 = 0.5 * (ab[p] * ac[q] - ab[q] * ac[p]);
-  } else {
-    area.normal = ab.cross(ac).normalized();
-    area.A0 = 0.5 * ab.cross(ac).norm();
-  }
+  ModelArea area{.nodes = t, .part = part};
+  if (model.dimension == 3) area.normal = area.normalIn(model);
+  area.A0 = area.areaIn(model);
   area.k = modulus / std::abs(area.A0);
   model.areas.push_back(area);
 }
 
 void addVolume(Model& model, const std::array<int, 4>& t, double modulus, int part) {
-  ModelVolume volume;
-  volume.part = part;
-  volume.a = t[0];
-  volume.b = t[1];
-  volume.c = t[2];
-  volume.d = t[3];
-  const Vec3& a = positionOf(model, t[0]);
-  volume.V0 = (positionOf(model, t[1]) - a).dot((positionOf(model, t[2]) - a).cross(positionOf(model, t[3]) - a)) / 6.0;
+  ModelVolume volume{.nodes = t, .part = part};
+  volume.V0 = volume.volumeIn(model);
   volume.k = modulus / std::abs(volume.V0);
   model.volumes.push_back(volume);
 }
@@ -223,7 +206,7 @@ void addAngles(Model& model, const Part& part, const SurfaceMesh& mesh, double s
   for (std::size_t i = 0; i < neighbours.size(); ++i) {
     if (neighbours[i].size() != 2) continue;
     model.angles.push_back(
-        {neighbours[i][0], firstNode + static_cast<int>(i), neighbours[i][1], stiffness, 0.0, angles});
+        {{neighbours[i][0], firstNode + static_cast<int>(i), neighbours[i][1]}, stiffness, 0.0, angles});
   }
 }
 
@@ -270,7 +253,7 @@ Part addChain(Model& model, const ChainShape& shape, const std::string& name) {
   }
   const int angles = shape.angleStiffness > 0.0 && shape.n > 2 ? partOf(model, part, "angle") : partOfItsKind;
   for (int i = part.firstNode; i + 2 < part.firstNode + shape.n && shape.angleStiffness > 0.0; ++i) {
-    model.angles.push_back({i, i + 1, i + 2, shape.angleStiffness, 0.0, angles});
+    model.angles.push_back({{i, i + 1, i + 2}, shape.angleStiffness, 0.0, angles});
   }
   part.measure = (shape.to - shape.from).norm();
   return part;
@@ -323,8 +306,8 @@ Part addGrid(Model& model, const GridShape& shape, const std::string& name) {
   if (shape.dihedralStiffness > 0.0) {
     requireSpace(model, "dihedral bending");
     const int dihedrals = partOf(model, part, "dihedral");
-    for (const auto& [a, b, c, d] : hingesOf(part.triangles)) {
-      model.dihedrals.push_back({a, b, c, d, shape.dihedralStiffness, 0.0, dihedrals});
+    for (const auto& hinge : hingesOf(part.triangles)) {
+      model.dihedrals.push_back({hinge, shape.dihedralStiffness, 0.0, dihedrals});
     }
   }
   part.measure =

@@ -242,7 +242,7 @@ void turn(const TableReader& table, Model& model, const Part& part) {
   const Vec3 centre = centreOf(model, part);
   forNodes(model, part, [&](ModelNode& node) { node.x = centre + R * (node.x - centre); });
   for (ModelArea& area : model.areas) {
-    if (area.a >= part.firstNode) area.normal = R * area.normal;
+    if (area.nodes[0] >= part.firstNode) area.normal = R * area.normal;
   }
 }
 

@@ -115,56 +115,25 @@ void readSpring(const TableReader& table, Model& model) {
   model.springs.push_back(spring);
 }
 
-void readAngle(const TableReader& table, Model& model) {
-  table.checkKeys({"nodes", "k", "theta0", "part"}, {"nodes", "k"});
-  const std::vector<int> n = readNodes(table, model, 3);
-  model.angles.push_back(
-      {n[0], n[1], n[2], table.notNegative("k"), table.number("theta0", 0.0), readPart(table, model)});
-}
-
-void readDihedral(const TableReader& table, Model& model) {
-  table.checkKeys({"nodes", "k", "theta0", "part"}, {"nodes", "k"});
-  if (model.dimension != 3) table.failHere("needs a scene of dimension 3");
-  const std::vector<int> n = readNodes(table, model, 4);
-  model.dihedrals.push_back(
-      {n[0], n[1], n[2], n[3], table.notNegative("k"), table.number("theta0", 0.0), readPart(table, model)});
-}
-
-void readArea(const TableReader& table, Model& model) {
-  table.checkKeys({"nodes", "k", "A0", "normal", "part"}, {"nodes", "k"});
-  if (model.dimension == 1) table.failHere("needs a scene of dimension 2 or 3");
-  const std::vector<int> n = readNodes(table, model, 3);
-  const Vec3 ab = positionOf(model, n[1]) - positionOf(model, n[0]);
-  const Vec3 ac = positionOf(model, n[2]) - positionOf(model, n[0]);
-  ModelArea area;
-  area.a = n[0];
-  area.b = n[1];
-  area.c = n[2];
-  area.k = table.notNegative("k");
-  double rest = 0.0;
-  if (model.dimension == 2) {
-    const auto [p, q] = model.plane;
-    rest = 0.5 * (ab[p] * ac[q] - ab[q] * ac[p]);
-  } else {
-    const Vec3 cross = ab.cross(ac);
-    if (!table.has("normal") && !(cross.norm() > 0.0)) table.failHere("the triangle has no normal; give 'normal'");
-    area.normal = table.has("normal") ? table.direction("normal") : Vec3(cross.normalized());
-    rest = 0.5 * cross.dot(area.normal);
+/// The [[angle]], [[dihedral]], ... of the scene: what all kinds have, and what theirs has.
+template <class Element>
+void readElements(const TableReader& scene, Model& model, std::vector<Element>& elements) {
+  for (const TableReader& table : scene.tables(Element::kind)) {
+    Keys keys = {"nodes", "k", "part"};
+    keys.insert(keys.end(), Element::ownKeys.begin(), Element::ownKeys.end());
+    table.checkKeys(keys, {"nodes", "k"});
+    if (model.dimension < Element::leastDimension) {
+      table.failHere(Element::leastDimension == 3 ? "needs a scene of dimension 3"
+                                                  : "needs a scene of dimension 2 or 3");
+    }
+    Element element;
+    const std::vector<int> nodes = readNodes(table, model, static_cast<int>(element.nodes.size()));
+    std::ranges::copy(nodes, element.nodes.begin());
+    element.k = table.notNegative("k");
+    element.readOwn(table, model);
+    element.part = readPart(table, model);
+    elements.push_back(element);
   }
-  area.A0 = table.number("A0", rest);
-  area.part = readPart(table, model);
-  model.areas.push_back(area);
-}
-
-void readVolume(const TableReader& table, Model& model) {
-  table.checkKeys({"nodes", "k", "V0", "part"}, {"nodes", "k"});
-  if (model.dimension != 3) table.failHere("needs a scene of dimension 3");
-  const std::vector<int> n = readNodes(table, model, 4);
-  const Vec3& a = positionOf(model, n[0]);
-  const double rest =
-      (positionOf(model, n[1]) - a).dot((positionOf(model, n[2]) - a).cross(positionOf(model, n[3]) - a)) / 6.0;
-  model.volumes.push_back(
-      {n[0], n[1], n[2], n[3], table.notNegative("k"), table.number("V0", rest), readPart(table, model)});
 }
 
 // --- what acts on chosen nodes ---
@@ -326,13 +295,13 @@ void readView(const TableReader& table, Scene& scene) {
 
 Scene interpret(const TableReader& given, const std::filesystem::path& file) {
   TableReader table = given;
-  table.checkKeys(
-      {"title",  "shows",  "slide",    "dimension", "plane", "gravity", "cross_zero_length", "view", "node",
-       "object", "spring", "angle",    "dihedral",  "area",  "volume",  "property",          "pin",  "velocity",
-       "motion", "force",  "obstacle", "run",       "output"},
-      {"title", "shows", "slide", "run"});
   Scene scene;
   Model& model = scene.model;
+  Keys keys = {"title",  "shows", "slide",    "dimension", "plane",    "gravity", "cross_zero_length",
+               "view",   "node",  "object",   "spring",    "property", "pin",     "velocity",
+               "motion", "force", "obstacle", "run",       "output"};
+  forEachElementKind(model, [&]<class List>(const List&) { keys.emplace_back(ElementOf<List>::kind); });
+  table.checkKeys(keys, {"title", "shows", "slide", "run"});
   scene.name = file.stem().string();
   scene.title = table.text("title");
   scene.shows = table.text("shows");
@@ -346,10 +315,7 @@ Scene interpret(const TableReader& given, const std::filesystem::path& file) {
   for (const TableReader& t : table.tables("object")) readObject(t, scene, file.parent_path());
   if (model.nodes.empty()) table.failHere("has no nodes; [[node]] and [[object]] make them");
   for (const TableReader& t : table.tables("spring")) readSpring(t, model);
-  for (const TableReader& t : table.tables("angle")) readAngle(t, model);
-  for (const TableReader& t : table.tables("dihedral")) readDihedral(t, model);
-  for (const TableReader& t : table.tables("area")) readArea(t, model);
-  for (const TableReader& t : table.tables("volume")) readVolume(t, model);
+  forEachElementKind(model, [&](auto& elements) { readElements(table, model, elements); });
   for (const TableReader& t : table.tables("property")) readProperty(t, scene);
   for (const TableReader& t : table.tables("velocity")) readVelocity(t, scene);
   for (const TableReader& t : table.tables("pin")) readPin(t, scene);

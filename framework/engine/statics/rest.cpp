@@ -27,8 +27,7 @@ constexpr int fromForceDensity = 25;  // from the shape of a net under its loads
 /// Whether springs, gravity and forces are all there is: then a shape in which all springs pull is the lowest.
 bool isNet(const Model& model) {
   const bool pushOnly = std::ranges::any_of(model.springs, [](const ModelSpring& s) { return s.unilateral; });
-  return !pushOnly && model.angles.empty() && model.dihedrals.empty() && model.areas.empty() && model.volumes.empty() &&
-         model.properties.empty() && model.obstacles.empty();
+  return !pushOnly && elementCount(model) == 0 && model.properties.empty() && model.obstacles.empty();
 }
 
 /// Tensions here are those of lengths, which a signed spring and a rod have not.

@@ -10,15 +10,14 @@ namespace {
 /// What hangs together by springs and elements that have a stiffness.
 JoinedSets joined(const Model& model) {
   JoinedSets sets(static_cast<int>(model.nodes.size()));
-  const auto join = [&](double k, std::initializer_list<int> nodes) {
+  const auto join = [&](double k, const auto& nodes) {
     if (!(k > 0.0)) return;
-    for (const int node : nodes) sets.join(*nodes.begin(), node);
+    for (const int node : nodes) sets.join(nodes.front(), node);
   };
-  for (const ModelSpring& s : model.springs) join(s.k, {s.a, s.b});
-  for (const ModelAngle& e : model.angles) join(e.k, {e.a, e.b, e.c});
-  for (const ModelDihedral& e : model.dihedrals) join(e.k, {e.a, e.b, e.c, e.d});
-  for (const ModelArea& e : model.areas) join(e.k, {e.a, e.b, e.c});
-  for (const ModelVolume& e : model.volumes) join(e.k, {e.a, e.b, e.c, e.d});
+  for (const ModelSpring& s : model.springs) join(s.k, std::array{s.a, s.b});
+  forEachElementKind(model, [&](const auto& elements) {
+    for (const auto& element : elements) join(element.k, element.nodes);
+  });
   return sets;
 }
 

@@ -87,8 +87,7 @@ class LinearModes {
 };
 
 bool hasElements(const Model& model) {
-  return !model.springs.empty() || !model.angles.empty() || !model.dihedrals.empty() || !model.areas.empty() ||
-         !model.volumes.empty() || !model.properties.empty();
+  return !model.springs.empty() || elementCount(model) > 0 || !model.properties.empty();
 }
 
 ClosedForm judged(std::string name, double error, double tolerance, const char* words) {
@@ -131,7 +130,7 @@ std::vector<std::vector<int>> islandsOf(const Model& model) {
   JoinedSets groups(static_cast<int>(model.nodes.size()));
   const auto isMoving = [&](int node) { return isFree(model.nodes[static_cast<std::size_t>(node)]); };
   // What is held passes nothing on.
-  const auto join = [&](const std::vector<int>& nodes) {
+  const auto join = [&](const auto& nodes) {
     int first = -1;
     for (const int node : nodes) {
       if (!isMoving(node)) continue;
@@ -139,11 +138,10 @@ std::vector<std::vector<int>> islandsOf(const Model& model) {
       first = node;
     }
   };
-  for (const ModelSpring& s : model.springs) join({s.a, s.b});
-  for (const ModelAngle& a : model.angles) join({a.a, a.b, a.c});
-  for (const ModelDihedral& d : model.dihedrals) join({d.a, d.b, d.c, d.d});
-  for (const ModelArea& a : model.areas) join({a.a, a.b, a.c});
-  for (const ModelVolume& v : model.volumes) join({v.a, v.b, v.c, v.d});
+  for (const ModelSpring& s : model.springs) join(std::array{s.a, s.b});
+  forEachElementKind(model, [&](const auto& elements) {
+    for (const auto& element : elements) join(element.nodes);
+  });
   for (const ModelProperty& property : model.properties) join(property.nodes);
   std::vector<std::vector<int>> islands;
   std::vector<int> islandOf(model.nodes.size(), -1);

@@ -86,7 +86,7 @@ void addSprings(Listing& to, const Model& model) {
   }
   for (const ModelAngle& angle : model.angles) {
     to.table("angle");
-    to.nodes({angle.a, angle.b, angle.c});
+    to.nodes({angle.nodes.begin(), angle.nodes.end()});
     to.number("k", angle.k);
     to.numberUnless("theta0", angle.theta0, 0.0);
   }
@@ -160,7 +160,7 @@ std::string unlisted(const Scene& scene) {
   if (!model.motions.empty()) return "it has nodes that are moved";
   if (!model.externalForces.empty()) return "it has forces that change with time";
   if (!model.properties.empty()) return "it has a property of many nodes";
-  if (!model.dihedrals.empty() || !model.areas.empty() || !model.volumes.empty()) return "it has areas or volumes";
+  if (elementCount(model) > model.angles.size()) return "it has dihedrals, areas or volumes";
   Vec3 across = model.gravity;
   across[upAxisOf(model)] = 0.0;
   return across.norm() > 0.0 ? "gravity is not along its last axis" : "";

@@ -83,10 +83,9 @@ class PlaneCheck {
   }
 
   std::string elements() const {
-    if (!model_.dihedrals.empty() || !model_.volumes.empty()) return "it has dihedrals or volumes, which are of space";
     const bool bent = std::ranges::any_of(model_.angles, [](const ModelAngle& angle) { return angle.theta0 != 0.0; });
     if (bent) return "angles at rest out of line have a sign in a plane and none in space";
-    if (!model_.areas.empty()) return "areas are seen along a direction";
+    if (elementCount(model_) > model_.angles.size()) return "it has dihedrals, areas or volumes, which are of space";
     for (const ModelProperty& property : model_.properties) {
       if (std::ranges::any_of(property.weights, [&](const Vec3& w) { return lies(w); }))
         return "a property looks across it";

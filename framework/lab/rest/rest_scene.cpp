@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t shownNodes = 6;
 
-std::string counted(std::size_t count, const char* one, const char* many) {
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
@@ -25,13 +25,13 @@ std::string sizeLine(const Scene& scene, const SceneAtRest& rest) {
   const Model& model = scene.model;
   std::string text =
       counted(model.nodes.size(), "node", "nodes") + ", " + counted(model.springs.size(), "spring", "springs");
-  const auto add = [&](std::size_t count, const char* one, const char* many) {
+  const auto add = [&](std::size_t count, const std::string& one, const std::string& many) {
     if (count > 0) text += ", " + counted(count, one, many);
   };
-  add(model.angles.size(), "angle", "angles");
-  add(model.dihedrals.size(), "dihedral", "dihedrals");
-  add(model.areas.size(), "area", "areas");
-  add(model.volumes.size(), "volume", "volumes");
+  engine::forEachElementKind(model, [&]<class List>(const List& elements) {
+    const std::string kind = engine::ElementOf<List>::kind;
+    add(elements.size(), kind, kind + "s");
+  });
   add(model.properties.size(), "property", "properties");
   add(model.obstacles.size(), "obstacle", "obstacles");
   return text + ", " + counted(static_cast<std::size_t>(rest.system->size()), "unknown", "unknowns");
@@ -54,7 +54,7 @@ std::string springName(const Model& model, std::size_t i) {
 std::string cuspLine(const SceneAtRest& rest) {
   const std::vector<SingularPoint>& cusps = rest.result.cusps;
   std::string text = fmt::format("cusp: at {} the energy has no gradient, so no force can be judged; {}",
-                                 nodeList(rest.result.nodes), describe(rest.system->model(), cusps.front()));
+                                 nodeList(rest.result.nodes), cusps.front().what);
   if (cusps.size() > 1) text += fmt::format(" (and {} more such)", cusps.size() - 1);
   return text;
 }

@@ -28,8 +28,7 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// it is more than 300 bytes a node or spring.
 double modelBytes(const Model& model) {
   constexpr double element = 300.0;
-  return element * static_cast<double>(model.nodes.size() + model.springs.size() + model.angles.size() +
-                                       model.dihedrals.size() + model.areas.size() + model.volumes.size());
+  return element * static_cast<double>(model.nodes.size() + model.springs.size() + elementCount(model));
 }
 
 /// The numbers of a matrix: blocks of dimension x dimension, one a node, two for each pair of nodes that a spring

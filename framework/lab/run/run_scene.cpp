@@ -125,10 +125,8 @@ std::string sizeLine(const Scene& scene, const SceneRun& run) {
   const auto add = [&](std::size_t count, const char* one, const char* several = "") {
     if (count > 0) text += ", " + countedInGroups(static_cast<long long>(count), one, several);
   };
-  add(model.angles.size(), "angle");
-  add(model.dihedrals.size(), "dihedral");
-  add(model.areas.size(), "area");
-  add(model.volumes.size(), "volume");
+  engine::forEachElementKind(
+      model, [&]<class List>(const List& elements) { add(elements.size(), engine::ElementOf<List>::kind); });
   add(model.properties.size(), "property", "properties");
   add(model.obstacles.size(), "obstacle");
   return text + ", " + countedInGroups(run.system->size(), "unknown");
@@ -205,7 +203,7 @@ SceneRun runScene(const Scene& scene, const std::string& label, double available
   run.energy = energyBalance(*run.system, run.method.id, run.options, run.result);
   std::vector<std::string> singular;
   for (const SingularPoint& point : singularPoints(*run.system, run.system->initialState())) {
-    singular.push_back("at the start " + describe(scene.model, point));
+    singular.push_back("at the start " + point.what);
   }
   run.result.warnings.insert(run.result.warnings.begin(), singular.begin(), singular.end());
   return run;

@@ -135,8 +135,8 @@ class PlainForce {
   };
 
   static void refuseTheRest(const engine::Model& model) {
-    const bool more = !model.angles.empty() || !model.dihedrals.empty() || !model.areas.empty() ||
-                      !model.properties.empty() || !model.externalForces.empty() || !model.motions.empty();
+    const bool more = elementCount(model) > model.volumes.size() || !model.properties.empty() ||
+                      !model.externalForces.empty() || !model.motions.empty();
     if (more || model.dimension != D) throw std::invalid_argument("the plain force lacks a force of this model");
     for (const engine::ModelSpring& spring : model.springs) {
       if (spring.rod || spring.unilateral || spring.isSigned || spring.dampingRatio > 0.0) {
@@ -167,9 +167,8 @@ class PlainForce {
 
   void addVolume(const engine::ModelVolume& v, const std::vector<int>& place) {
     Volume volume{{}, v.k, v.V0};
-    const std::array<int, 4> nodes = {v.a, v.b, v.c, v.d};
     for (std::size_t j = 0; j < 4; ++j) {
-      const int free = place[static_cast<std::size_t>(nodes[j])];
+      const int free = place[static_cast<std::size_t>(v.nodes[j])];
       if (free < 0) throw std::invalid_argument("the plain force has no volumes with a pinned node");
       volume.node[j] = 3 * static_cast<std::size_t>(free);
     }

@@ -70,7 +70,7 @@ Model tangle(unsigned seed) {
     spring.dRelative = i % 2 == 0 ? number(0.0, 1.0) : 0.0;
     model.springs.push_back(spring);
   }
-  if (model.dimension > 1) model.angles.push_back({.a = 1, .b = 2, .c = 3, .k = 5.0});
+  if (model.dimension > 1) model.angles.push_back({.nodes = {1, 2, 3}, .k = 5.0});
   model.properties.push_back({.nodes = {1, 2, 4}, .weights = {Vec3::Ones(), Vec3::Ones(), Vec3::Ones()}, .k = 50.0});
   return model;
 }

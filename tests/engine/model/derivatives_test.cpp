@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <set>
+#include <string>
 
 namespace muelle::engine::testing {
 namespace {
@@ -209,6 +211,22 @@ class Derivatives : public ::testing::Test {
   Kind kind_{};
   std::unique_ptr<ModelSystem> system_;
 };
+
+TEST_F(Derivatives, AreThoseOfEveryKindOfElement) {
+  std::set<std::string> held;
+  Random random(1);
+  for (const Kind& kind : kinds()) {
+    Model model = sixNodes(kind.dimension, 0);
+    kind.add(model, random);
+    forEachElementKind(model, [&]<class List>(const List& elements) {
+      if (!elements.empty()) held.insert(ElementOf<List>::kind);
+    });
+  }
+  const Model none;
+  forEachElementKind(none, [&]<class List>(const List&) {
+    EXPECT_TRUE(held.contains(ElementOf<List>::kind)) << ElementOf<List>::kind << " has no line in kinds()";
+  });
+}
 
 // Rounding of a force of size F leaves F * 1e-16 / h = 1e-12 F in the difference, and the extrapolation an error of
 // h^4 = 1e-16 times the fifth derivative; forces are at most some hundred times their derivatives here.

@@ -29,7 +29,7 @@ Model everyKind() {
                    {.a = 4, .b = 5, .k = 15.0, .L0 = 2.0}};
   model.angles = {{0, 1, 3, 2.0, 0.3, 1}, {1, 3, 4, 3.0, 0.2}};
   model.dihedrals = {{0, 1, 3, 4, 2.0, 0.1}};
-  model.areas = {{.a = 0, .b = 1, .c = 4, .k = 5.0, .A0 = 0.2}};
+  model.areas = {{.nodes = {0, 1, 4}, .k = 5.0, .A0 = 0.2}};
   model.volumes = {{0, 1, 3, 4, 6.0, 0.4}};
   model.properties = {{.nodes = {0, 1, 5}, .weights = {up(3), up(3), up(3)}, .k = 4.0, .p0 = 0.3}};
   model.externalForces = {{.nodes = {1, 4}, .force = [](double, int) { return Vec3(0.3, -0.2, 0.1); }, .times = {}}};

@@ -44,7 +44,7 @@ std::vector<SingularPoint> pointsOf(const Model& model) {
 
 std::string described(const Model& model) {
   std::string text;
-  for (const SingularPoint& point : pointsOf(model)) text += describe(model, point);
+  for (const SingularPoint& point : pointsOf(model)) text += point.what;
   return text;
 }
 

@@ -39,7 +39,7 @@ Model invertedTriangle(double ka, double y) {
   model.plane = {0, 1};
   model.nodes = {at(Vec3(0, y, 0)), anchor(Vec3(-0.75, 0, 0)), anchor(Vec3(0.75, 0, 0))};
   model.springs = {{.a = 1, .b = 0, .k = 10.0, .L0 = 1.25}, {.a = 2, .b = 0, .k = 10.0, .L0 = 1.25}};
-  if (ka > 0.0) model.areas = {{.a = 1, .b = 2, .c = 0, .k = ka, .A0 = 0.75}};
+  if (ka > 0.0) model.areas = {{.nodes = {1, 2, 0}, .k = ka, .A0 = 0.75}};
   return model;
 }
 
