@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <numbers>
 
 namespace muelle::engine {
@@ -86,7 +87,8 @@ long long solverWork(const Work& work) { return work.factorisations + work.solve
 /// pieces, and may only lose energy: more than 5 % of S either way would be a failure. What it loses is what the fall
 /// puts into the fast waves, of which the stability function leaves next to nothing a step: printed beside it.
 class StiffCloth : public ::testing::TestWithParam<double> {};
-INSTANTIATE_TEST_SUITE_P(Stiffness, StiffCloth, ::testing::Values(1e4, 1e5, 1e6, 1e7));
+INSTANTIATE_TEST_SUITE_P(Stiffness, StiffCloth, ::testing::Values(1e4, 1e5, 1e6, 1e7),
+                         [](const auto& test) { return "1e" + std::to_string(std::lround(std::log10(test.param))); });
 
 TEST_P(StiffCloth, NeverGainsEnergyAndCostsNoMoreThanThreeTimesBdf2) {
   const double k = GetParam();

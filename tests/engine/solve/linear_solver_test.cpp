@@ -137,7 +137,7 @@ TEST_P(LowRankSolve, IsTheSolutionOfTheDenseSum) {
     }
   }
 }
-INSTANTIATE_TEST_SUITE_P(Symmetric, LowRankSolve, ::testing::Bool());
+INSTANTIATE_TEST_SUITE_P(Symmetric, LowRankSolve, ::testing::Bool(), ::testing::PrintToStringParamName());
 
 /// A property of 1e5 nodes in 3D: dense it would be 720 GB, which no machine of the tests has.
 TEST(LinearSolver, APropertyOfManyNodesStaysLinear) {

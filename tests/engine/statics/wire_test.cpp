@@ -199,7 +199,7 @@ TEST_P(SteelWire, BetweenHooksOfTwoHeightsFarFromTheOriginHangsAsTheCatenary) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Springs, SteelWire, ::testing::Values(10, 100, 1000));
+INSTANTIATE_TEST_SUITE_P(Springs, SteelWire, ::testing::Values(10, 100, 1000), ::testing::PrintToStringParamName());
 
 /// The eigenvalue of a taut string's sideways motion is known: T/l times 4 sin^2(pi / 2n).
 TEST(SteelWireEigenvalue, OfATautStringIsTheClosedForm) {

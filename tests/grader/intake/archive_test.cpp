@@ -24,7 +24,9 @@ class Archive : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-class ArchiveFormats : public Archive, public ::testing::WithParamInterface<Format> {};
+using Named = std::pair<const char*, Format>;
+
+class ArchiveFormats : public Archive, public ::testing::WithParamInterface<Named> {};
 using ArchivePaths = Archive;
 using ArchiveLinks = Archive;
 using ArchiveBombs = Archive;
@@ -35,7 +37,7 @@ TEST_P(ArchiveFormats, GiveTheSameText) {
   const Submission s = take({{"exercises/spring_1d/spring_1d.cpp", text},
                              {"exercises/spring_1d/notes.txt", "hello"},
                              {"exercises/triangle/triangle.cpp", "two"}},
-                            GetParam());
+                            GetParam().second);
   EXPECT_EQ(s.sources.at("spring_1d").at("spring_1d.cpp"), text);
   EXPECT_EQ(s.sources.at("triangle").at("triangle.cpp"), "two");
   EXPECT_EQ(s.notes, std::vector<std::string>{"ignored in exercises/spring_1d/: notes.txt"});
@@ -44,7 +46,7 @@ TEST_P(ArchiveFormats, GiveTheSameText) {
 
 TEST_P(ArchiveFormats, StopAtTheLimitOfUnpackedBytes) {
   // 40 MB of zeros take a few kB packed; the limit is 32 MiB.
-  const auto file = make({{"zeros", std::string(40'000'000, '\0')}, {"spring_1d.cpp", "one"}}, GetParam());
+  const auto file = make({{"zeros", std::string(40'000'000, '\0')}, {"spring_1d.cpp", "one"}}, GetParam().second);
   if (std::filesystem::file_size(file) < 32 * 1024 * 1024) {
     EXPECT_NE(refusal(file).find("unpacks to more than 32 MiB"), std::string::npos);
   } else {
@@ -53,8 +55,11 @@ TEST_P(ArchiveFormats, StopAtTheLimitOfUnpackedBytes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ArchiveFormats,
-                         ::testing::Values(Format::Zip, Format::Tar, Format::TarGzip, Format::TarBzip2, Format::TarXz,
-                                           Format::TarZstd, Format::SevenZip));
+                         ::testing::Values(Named{"Zip", Format::Zip}, Named{"Tar", Format::Tar},
+                                           Named{"TarGzip", Format::TarGzip}, Named{"TarBzip2", Format::TarBzip2},
+                                           Named{"TarXz", Format::TarXz}, Named{"TarZstd", Format::TarZstd},
+                                           Named{"SevenZip", Format::SevenZip}),
+                         [](const auto& test) { return test.param.first; });
 
 TEST_F(ArchivePaths, ThatLeadOutsideAreIgnored) {
   for (const Format format : {Format::Tar, Format::Zip}) {
