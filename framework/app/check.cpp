@@ -98,7 +98,7 @@ class Check {
   /// What is unfinished for lack of such a file has been named before any command.
   void nameChanged() const {
     if (unfinishedExercises(build_paths::binary).contains(exercise_.topic)) return;
-    fmt::print("{}", sayChanged(build_paths::source, changedHandedOut(build_paths::source, exercise_.topic)));
+    fmt::print("{}", sayChanged(build_paths::source, exercise_.topic));
     std::fflush(stdout);
   }
 
@@ -226,7 +226,7 @@ std::vector<Manifest> readHandedOutCourse() {
   try {
     return readCourse(checkFolders().exercises);
   } catch (const std::exception&) {
-    fmt::print("{}", sayChanged(build_paths::source, changedHandedOut(build_paths::source)));
+    fmt::print("{}", sayChanged(build_paths::source));
     std::fflush(stdout);
     throw;
   }
