@@ -9,6 +9,7 @@
 #include "course/check/prediction.h"
 #include "course/check/public_parts.h"
 #include "course/manifest.h"
+#include "course/suites.h"
 #include "course/unfinished.h"
 
 #include <fmt/format.h>
@@ -63,6 +64,7 @@ class Check {
   bool run() {
     requireAnswer();
     nameChanged();
+    nameDisagreement();
     if (compilesWithClang()) {
       fmt::print("{}\n", dim(fmt::format("compiled with {}; the course is graded with g++", build_paths::compiler)));
     }
@@ -98,7 +100,16 @@ class Check {
   /// What is unfinished for lack of such a file has been named before any command.
   void nameChanged() const {
     if (unfinishedExercises(build_paths::binary).contains(exercise_.topic)) return;
-    fmt::print("{}", sayChanged(build_paths::source, changedHandedOut(build_paths::source, exercise_.topic)));
+    fmt::print("{}", sayChanged(build_paths::source, exercise_.topic));
+    std::fflush(stdout);
+  }
+
+  /// A criterion whose suite is misspelt has no hint here, and nobody can earn it.
+  void nameDisagreement() const {
+    const std::string line = firstDisagreement(build_paths::source, exercise_);
+    if (line.empty()) return;
+    const char* whose = isAuthors(build_paths::source) ? "" : " (so it was handed out: tell your instructor)";
+    fmt::print("{}{}\n", line, whose);
     std::fflush(stdout);
   }
 
@@ -226,7 +237,7 @@ std::vector<Manifest> readHandedOutCourse() {
   try {
     return readCourse(checkFolders().exercises);
   } catch (const std::exception&) {
-    fmt::print("{}", sayChanged(build_paths::source, changedHandedOut(build_paths::source)));
+    fmt::print("{}", sayChanged(build_paths::source));
     std::fflush(stdout);
     throw;
   }

@@ -18,10 +18,7 @@ using namespace muelle::app;
 void nameUnfinished() {
   for (const auto& [topic, files] : muelle::unfinishedExercises(muelle::build_paths::binary)) {
     // A student has deleted something of it.
-    std::fputs(
-        muelle::sayChanged(muelle::build_paths::source, muelle::changedHandedOut(muelle::build_paths::source, topic))
-            .c_str(),
-        stderr);
+    std::fputs(muelle::sayChanged(muelle::build_paths::source, topic).c_str(), stderr);
     std::fputs(("muelle: " + muelle::sayUnfinished(topic, files) + "\n").c_str(), stderr);
   }
 }

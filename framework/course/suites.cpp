@@ -1,5 +1,6 @@
 #include "course/suites.h"
 
+#include "base/file.h"
 #include "base/text/nearest.h"
 #include "base/text/trim.h"
 
@@ -17,6 +18,10 @@ std::vector<std::string> namesOf(const std::vector<TestSuite>& suites) {
   std::vector<std::string> names;
   for (const TestSuite& suite : suites) names.push_back(suite.name);
   return names;
+}
+
+void append(std::vector<std::string>& lines, const std::vector<std::string>& more) {
+  lines.insert(lines.end(), more.begin(), more.end());
 }
 
 /// Suites that no criterion names, and suites of which no test runs.
@@ -73,19 +78,34 @@ std::vector<TestSuite> suitesInSource(std::string_view source) {
 
 std::vector<std::string> disagreements(const Manifest& manifest, const std::vector<TestSuite>& suites,
                                        std::string_view manifestName, std::string_view sourceName) {
-  std::vector<std::string> lines = ofSuites(manifest, suites, manifestName, sourceName);
+  std::vector<std::string> lines;
   const std::vector<std::string> known = namesOf(suites);
   for (const std::string& suite : suitesOf(manifest)) {
     if (std::ranges::find(known, suite) != known.end()) continue;
     lines.push_back(fmt::format("{}: criterion {} has no suite in {}; write TEST({}, ...), or take the criterion out{}",
                                 manifestName, suite, sourceName, suite, didYouMean(suite, known)));
   }
+  append(lines, ofSuites(manifest, suites, manifestName, sourceName));
   return lines;
 }
 
 std::vector<std::string> publicDisagreements(const Manifest& manifest, const std::vector<TestSuite>& suites,
                                              std::string_view manifestName, std::string_view sourceName) {
   return ofSuites(manifest, suites, manifestName, sourceName);
+}
+
+std::string firstDisagreement(const std::filesystem::path& checkout, const Manifest& manifest) {
+  const std::string manifestName = fmt::format("exercises/{}/exercise.toml", manifest.topic);
+  const std::string publicTests = fmt::format("exercises/{}/public_test.cpp", manifest.topic);
+  const std::string hiddenTests = fmt::format("tests/hidden/{0}/{0}_test.cpp", manifest.topic);
+  std::vector<std::string> lines;
+  if (const auto source = tryReadFile(checkout / hiddenTests)) {
+    append(lines, disagreements(manifest, suitesInSource(*source), manifestName, hiddenTests));
+  }
+  if (const auto source = tryReadFile(checkout / publicTests)) {
+    append(lines, publicDisagreements(manifest, suitesInSource(*source), manifestName, publicTests));
+  }
+  return lines.empty() ? "" : lines.front();
 }
 
 }  // namespace muelle

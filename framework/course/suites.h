@@ -1,6 +1,7 @@
 #pragma once
 #include "course/manifest.h"
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,7 +25,8 @@ void countTest(std::vector<TestSuite>& suites, std::string_view suite, std::stri
 std::vector<TestSuite> suitesInSource(std::string_view source);
 
 /// What a test program has must be what the manifest pays for. Each disagreement is one line that names both files:
-/// a suite without criterion, a criterion without suite, a suite of which no test runs.
+/// a criterion without suite, a suite without criterion, a suite of which no test runs, in this order: a misspelt name
+/// is told with its criterion first.
 /// \param manifestName, sourceName the files as they are shown: "exercises/triangle/exercise.toml"
 std::vector<std::string> disagreements(const Manifest& manifest, const std::vector<TestSuite>& suites,
                                        std::string_view manifestName, std::string_view sourceName);
@@ -33,5 +35,9 @@ std::vector<std::string> disagreements(const Manifest& manifest, const std::vect
 /// hint.
 std::vector<std::string> publicDisagreements(const Manifest& manifest, const std::vector<TestSuite>& suites,
                                              std::string_view manifestName, std::string_view sourceName);
+
+/// The first disagreement of an exercise as its sources in the checkout are, nothing built: of the hidden tests, which
+/// authors have, then of the public ones. "" when there is none.
+std::string firstDisagreement(const std::filesystem::path& checkout, const Manifest& manifest);
 
 }  // namespace muelle

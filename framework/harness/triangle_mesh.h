@@ -15,8 +15,9 @@ struct TriangleMesh {
 };
 
 /// Reads a plain OFF file: the word, lines that begin with # (left out), the numbers of nodes, triangles and edges, the
-/// nodes, and the triangles as "3 a b c".
-/// Throws std::runtime_error "FILE: what is wrong".
+/// nodes, and the triangles as "3 a b c". No more than that on purpose: it is for the meshes that the course hands out,
+/// and short enough to be read. What other programs write (polygons, prefixes, other formats, a million vertices) is
+/// the reader's of the scenes, which students do not get. Throws std::runtime_error "FILE: what is wrong".
 TriangleMesh readTriangleMesh(const std::filesystem::path& file);
 
 }  // namespace muelle

@@ -116,6 +116,24 @@ cp "$scratch/ninja" "$scratch/tools/ninja"
   complain "the words of a build that fails are cut: ${printed:0:2000}"
 rm -r "$folder/framework"
 
+# An author's `lint` reads the manifests before it builds what one of them would stop.
+mkdir -p "$folder/framework/grader"
+touch "$folder/framework/grader/CMakeLists.txt"
+cp "$folder/build/bin/muelle" "$scratch/muelle"
+printf '#!/bin/sh\n[ "$2" != --manifests ] || { echo "wheel: no manifest"; exit 1; }\n' >"$folder/build/bin/muelle"
+rm "$folder/build/built"
+printed="$("$folder/muelle" lint wheel 2>&1 </dev/null)"
+status=$?
+[[ $status -eq 1 && $printed == "wheel: no manifest" && $(cat "$folder/build/built") == *" muelle_app" ]] ||
+  complain "a broken manifest: exit code $status, printed: $printed, built: $(cat "$folder/build/built")"
+cp "$scratch/muelle" "$folder/build/bin/muelle"
+expect 0 "ran lint wheel" lint wheel
+grep -q muelle_grading "$folder/build/built" || complain "with good manifests lint builds nothing to grade with"
+rm "$folder/build/built"
+expect 0 "ran lint --files" lint --files
+grep -q muelle_grading "$folder/build/built" && complain "lint --files builds what it does not run"
+rm -r "$folder/framework"
+
 # A folder that cannot be written. Root can write everywhere, so this takes another user.
 refused() {
   local text="$1" printed

@@ -3,7 +3,11 @@
 
 #include "course/suites.h"
 
+#include "base/build_paths.h"
+#include "base/file.h"
+
 #include <gtest/gtest.h>
+#include <filesystem>
 
 namespace muelle {
 namespace {
@@ -52,6 +56,26 @@ TEST(Disagreements, NameASuiteOfWhichNoTestRuns) {
 TEST(Disagreements, OfPublicTestsNeedNoSuiteForACriterion) {
   EXPECT_TRUE(publicDisagreements(paying({"Force", "Energy"}), {{"Force", 1}}, toml, testFile).empty());
   EXPECT_EQ(publicDisagreements(paying({"Force"}), {{"Other", 1}, {"Force", 0}}, toml, testFile).size(), 2U);
+}
+
+/// A manifest that names a suite "Forse", in a checkout with public tests of "Force" and, an author's, hidden ones.
+TEST(Disagreements, OfAMisspeltSuiteAreOneLine) {
+  const TemporaryFolder checkout(std::filesystem::path(build_paths::binary) / "test");
+  Manifest manifest = paying({"Forse", "Energy"});
+  manifest.topic = "a";
+  EXPECT_EQ(firstDisagreement(checkout.path(), manifest), "") << "there is nothing to compare with";
+  std::filesystem::create_directories(checkout.path() / "exercises/a");
+  writeFile(checkout.path() / "exercises/a/public_test.cpp", "TEST(Force, Pulls) {}\n");
+  EXPECT_TRUE(
+      firstDisagreement(checkout.path(), manifest)
+          .starts_with("exercises/a/public_test.cpp: suite Force is no criterion of exercises/a/exercise.toml"));
+  std::filesystem::create_directories(checkout.path() / "tests/hidden/a");
+  writeFile(checkout.path() / testFile, "TEST(Force, Pulls) {}\nTEST(Energy, IsKept) {}\n");
+  EXPECT_EQ(firstDisagreement(checkout.path(), manifest),
+            "exercises/a/exercise.toml: criterion Forse has no suite in tests/hidden/a/a_test.cpp; write "
+            "TEST(Forse, ...), or take the criterion out; did you mean 'Force'?");
+  manifest.criteria[0].suite = "Force";
+  EXPECT_EQ(firstDisagreement(checkout.path(), manifest), "");
 }
 
 TEST(SuitesInSource, AreReadOfTheMacros) {

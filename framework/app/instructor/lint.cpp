@@ -19,6 +19,7 @@ struct LintCommand {
   std::vector<std::string> topics;
   bool grade = false;
   bool filesOnly = false;
+  bool manifestsOnly = false;
   int jobs = 2;
 };
 
@@ -69,7 +70,19 @@ std::vector<grader::Finding> lintRuns(const LintCommand& command, const grader::
   return findings;
 }
 
+void print(const std::vector<grader::Finding>& findings) {
+  for (const grader::Finding& finding : findings) fmt::print("{}\n", finding.text());
+}
+
+/// The launcher asks for this before it builds: nothing but the files is there then.
+int lintManifests() {
+  const std::vector<grader::Finding> findings = grader::lintManifests(grader::Workplace::ofThisBuild().source);
+  print(findings);
+  return findings.empty() ? 0 : 1;
+}
+
 int lint(const LintCommand& command) {
+  if (command.manifestsOnly) return lintManifests();
   const grader::Workplace workplace = grader::Workplace::ofThisBuild();
   const std::vector<std::string> topics = chosenTopics(command, workplace);
   long long count = 0;
@@ -79,7 +92,7 @@ int lint(const LintCommand& command) {
       ProgressBar bar(topic);
       for (grader::Finding& finding : lintRuns(command, workplace, topic, bar)) findings.push_back(std::move(finding));
     }
-    for (const grader::Finding& finding : findings) fmt::print("{}\n", finding.text());
+    print(findings);
     count += static_cast<long long>(findings.size());
   }
   fmt::print("{} in {}\n", counted(count, "finding"), counted(static_cast<long long>(topics.size()), "exercise"));
@@ -93,6 +106,8 @@ void addLint(CommandLine& program) {
   CommandLine& command = program.command("lint", "Say what an exercise lacks, a line each");
   command.option("TOPIC", options->topics, "Only these exercises [all]");
   const CommandLineOption files = command.flag("--files", options->filesOnly, "Read the files only, run no test");
+  command.flag("--manifests", options->manifestsOnly, "Say only which exercise.toml cannot be read, of any exercise")
+      .excludes(files);
   command.flag("--grade", options->grade, "Grade every submission, too, also what is known to come out as stated")
       .excludes(files);
   command.option("--jobs,-j", options->jobs, "Submissions at a time [2]").range(1, 256);

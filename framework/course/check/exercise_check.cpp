@@ -1,6 +1,7 @@
 #include "course/check/exercise_check.h"
 
 #include "base/text/printable.h"
+#include "course/check/drawn_figures.h"
 #include "course/check/fault_sentences.h"
 #include "course/check/report_line.h"
 #include "course/check/report_reader.h"
@@ -149,6 +150,7 @@ std::vector<Misconception> namedMistakes(const TestReport& report, const Manifes
 
 CurvesReport drawCurves(const StudentProgram& program, const std::filesystem::path& folder, const std::string& remark) {
   std::filesystem::create_directories(folder);
+  removeDrawnFigures(folder);
   std::vector<std::string> command = {program.executable.string(), "demo", folder.string()};
   if (!remark.empty()) command.push_back(remark);
   const CommandResult result = runStudentProgram(command, isInstrumented, program.callSeconds);
@@ -159,6 +161,7 @@ CurvesReport drawCurves(const StudentProgram& program, const std::filesystem::pa
     if (kind == "crash") curves.trouble = printableText(text);
     if (kind == "done") done = true;
   }
+  noteDrawnFigures(folder, curves.figures);
   if (result.timedOut) curves.trouble = fmt::format("the demo did not end within {} s", testsWallSeconds);
   if (!done && curves.trouble.empty()) curves.trouble = "the demo ended early";
   return curves;

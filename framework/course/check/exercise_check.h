@@ -26,7 +26,8 @@ struct CurvesReport {
 /// then what no manifest need list. None when memory was never written or the program crashed: then numbers are luck.
 std::vector<Misconception> namedMistakes(const TestReport& report, const Manifest& manifest);
 
-/// Runs the demo of a built program and draws its curves into `folder`. \param remark behind the title of the first
+/// Runs the demo of a built program and draws its curves into `folder`, in the place of those that the check before has
+/// drawn there. \param remark behind the title of the first
 /// figure; "" for none
 CurvesReport drawCurves(const StudentProgram& program, const std::filesystem::path& folder, const std::string& remark);
 

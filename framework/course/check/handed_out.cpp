@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <sstream>
+#include <vector>
 
 namespace muelle {
 
@@ -14,9 +15,34 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* listName = "framework/course/handed_out.txt";
+constexpr const char* gradersRoom = "framework/grader/CMakeLists.txt";
 
 std::string lineFor(const fs::path& checkout, const std::string& file) {
   return fmt::format("{:016x} {}\n", handedOutHash(readFile(checkout / file)), file);
+}
+
+/// Those that differ from the list or are missing, relative to the checkout.
+std::vector<std::string> changedFiles(const fs::path& checkout) {
+  std::vector<std::string> changed;
+  if (!fs::exists(checkout / listName)) return changed;
+  std::istringstream list(readFile(checkout / listName));
+  for (std::string line; std::getline(list, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    const std::size_t blank = line.find(' ');
+    if (blank == std::string::npos) continue;
+    const std::string file = line.substr(blank + 1);
+    if (!fs::exists(checkout / file) || lineFor(checkout, file) != line + "\n") changed.push_back(file);
+  }
+  return changed;
+}
+
+std::string said(const fs::path& checkout, const std::vector<std::string>& changed) {
+  const char* todo = isAuthors(checkout)
+                         ? "note the change in framework/course/handed_out.txt (docs/writing_an_exercise.md, 6)"
+                         : "get it back, for you are graded against the original";
+  std::string text;
+  for (const std::string& file : changed) text += fmt::format("{} is not as it was handed out: {}\n", file, todo);
+  return text;
 }
 
 }  // namespace
@@ -46,39 +72,17 @@ std::string handedOutList(const fs::path& checkout) {
   return list;
 }
 
-std::vector<std::string> changedHandedOut(const fs::path& checkout) {
-  std::vector<std::string> changed;
-  if (!fs::exists(checkout / listName)) return changed;
-  std::istringstream list(readFile(checkout / listName));
-  for (std::string line; std::getline(list, line);) {
-    if (line.ends_with('\r')) line.pop_back();
-    const std::size_t blank = line.find(' ');
-    if (blank == std::string::npos) continue;
-    const std::string file = line.substr(blank + 1);
-    if (!fs::exists(checkout / file) || lineFor(checkout, file) != line + "\n") changed.push_back(file);
-  }
-  return changed;
-}
+bool isAuthors(const fs::path& checkout) { return fs::exists(checkout / gradersRoom); }
 
-std::vector<std::string> changedHandedOut(const fs::path& checkout, std::string_view topic) {
-  std::vector<std::string> changed = changedHandedOut(checkout);
+std::string sayChanged(const fs::path& checkout) { return said(checkout, changedFiles(checkout)); }
+
+std::string sayChanged(const fs::path& checkout, std::string_view topic) {
+  std::vector<std::string> changed = changedFiles(checkout);
   const std::string folder = fmt::format("exercises/{}/", topic);
   std::erase_if(changed, [&folder](const std::string& file) {
     return !file.starts_with("framework/harness/") && !file.starts_with(folder);
   });
-  return changed;
-}
-
-std::string sayChanged(const fs::path& checkout, const std::vector<std::string>& changed) {
-  const bool isAuthors = fs::exists(checkout / "framework/grader");
-  std::string text;
-  for (const std::string& file : changed) {
-    text +=
-        fmt::format("{} is not as it was handed out: {}\n", file,
-                    isAuthors ? "note the change in framework/course/handed_out.txt (docs/writing_an_exercise.md, 6)"
-                              : "get it back, for you are graded against the original");
-  }
-  return text;
+  return said(checkout, changed);
 }
 
 }  // namespace muelle

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace muelle {
 
@@ -19,15 +18,16 @@ std::uint64_t handedOutHash(std::string_view text);
 /// exercise, its contract, public tests, demo and manifest.
 std::string handedOutList(const std::filesystem::path& checkout);
 
-/// The files of an exercise and of the harness that differ from the list or are missing, relative to the checkout.
-/// Empty when the checkout has no list.
-std::vector<std::string> changedHandedOut(const std::filesystem::path& checkout, std::string_view topic);
+/// Whether the checkout is an author's: it has the graders' room, which is never handed out. The launcher and
+/// CMakeLists.txt tell by the same file.
+bool isAuthors(const std::filesystem::path& checkout);
 
-/// The same of the harness and every exercise.
-std::vector<std::string> changedHandedOut(const std::filesystem::path& checkout);
+/// "FILE is not as it was handed out: ...", a line for each file of the harness and of any exercise that differs from
+/// the list or is missing; "" when there is none, or no list. A student is told to get it back, an author to note the
+/// change.
+std::string sayChanged(const std::filesystem::path& checkout);
 
-/// "FILE is not as it was handed out: ...", a line for each; "" when there is none. Who has the graders' rooms, too, is
-/// an author and told to note the change.
-std::string sayChanged(const std::filesystem::path& checkout, const std::vector<std::string>& changed);
+/// The same of the harness and one exercise.
+std::string sayChanged(const std::filesystem::path& checkout, std::string_view topic);
 
 }  // namespace muelle

@@ -73,7 +73,7 @@ bool isEmpty(const fs::path& folder) {
 
 /// Of a student, not of an instructor.
 bool isHandout(const fs::path& folder) {
-  return fs::exists(folder / launcherName) && fs::exists(folder / listName) && !fs::exists(folder / "framework/grader");
+  return fs::exists(folder / launcherName) && fs::exists(folder / listName) && !isAuthors(folder);
 }
 
 void refuseBadFolder(const fs::path& checkout, const fs::path& folder, Replace replace) {

@@ -1,25 +1,29 @@
 #include "grader/authoring/leaks.h"
 
 #include "base/text/words.h"
-#include "grader/matrix/token.h"
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <set>
 
 namespace muelle::grader {
 
 namespace {
+
+using Tokens = std::vector<Token>;
 
 bool isSource(const std::string& file) { return file.ends_with(".cpp") || file.ends_with(".h"); }
 
 /// One file against what is withheld.
 class Search {
  public:
-  Search(const std::string& file, const std::string& text, const Withheld& withheld, std::vector<Leak>& leaks)
-      : file_(file), text_(text), withheld_(withheld), leaks_(leaks) {}
+  /// \param tokens of a source; none of another file
+  Search(const std::string& file, const std::string& text, const Tokens& tokens, const Withheld& withheld,
+         std::vector<Leak>& leaks)
+      : file_(file), text_(text), tokens_(tokens), withheld_(withheld), leaks_(leaks) {}
 
   void findAnswers() {
-    for (const Expression& expression : expressionsOf(text_)) {
+    for (const Expression& expression : expressionsOf(tokens_)) {
       if (const auto plain = withheld_.plain.find(expression.plain); plain != withheld_.plain.end()) {
         add(expression.offset, fmt::format("answers an exercise: {}stands in {}", expression.plain, plain->second));
       } else if (const auto shape = withheld_.shapes.find(expression.shape); shape != withheld_.shapes.end()) {
@@ -30,7 +34,7 @@ class Search {
   }
 
   void findBodies() {
-    for (const Expression& body : bodiesOf(text_)) {
+    for (const Expression& body : bodiesOf(tokens_)) {
       if (const auto found = withheld_.bodies.find(body.shape); found != withheld_.bodies.end()) {
         add(body.offset, fmt::format("answers an exercise: the function is one of {}", found->second));
       }
@@ -39,18 +43,17 @@ class Search {
 
   /// NAME ( ... ) {, but in the stub, and in its contract, which may turn a call into one of the student's classes.
   void findDefinitions() {
-    const std::vector<Token> tokens = tokenise(text_);
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
-      const auto function = withheld_.functions.find(std::string(tokens[i].text));
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      const auto function = withheld_.functions.find(std::string(tokens_[i].text));
       if (function == withheld_.functions.end() || isOfTheExercise(function->second)) continue;
-      if (isDefinition(tokens, i)) {
-        add(tokens[i].offset, fmt::format("defines {}, which students write", function->first));
+      if (isDefinition(i)) {
+        add(tokens_[i].offset, fmt::format("defines {}, which students write", function->first));
       }
     }
   }
 
   void findNumbers() {
-    for (const Token& token : tokenise(text_)) {
+    for (const Token& token : tokens_) {
       const auto number = withheld_.numbers.find(std::string(token.text));
       if (token.kind == Token::Kind::Number && number != withheld_.numbers.end()) {
         add(token.offset, fmt::format("has the number {} of {}", token.text, number->second));
@@ -93,12 +96,12 @@ class Search {
   }
 
  private:
-  static bool isDefinition(const std::vector<Token>& tokens, std::size_t i) {
-    if (i + 1 >= tokens.size() || tokens[i + 1].text != "(") return false;
+  bool isDefinition(std::size_t i) const {
+    if (i + 1 >= tokens_.size() || tokens_[i + 1].text != "(") return false;
     int depth = 0;
-    for (std::size_t j = i + 1; j < tokens.size(); ++j) {
-      if (tokens[j].text == "(") ++depth;
-      if (tokens[j].text == ")" && --depth == 0) return j + 1 < tokens.size() && tokens[j + 1].text == "{";
+    for (std::size_t j = i + 1; j < tokens_.size(); ++j) {
+      if (tokens_[j].text == "(") ++depth;
+      if (tokens_[j].text == ")" && --depth == 0) return j + 1 < tokens_.size() && tokens_[j + 1].text == "{";
     }
     return false;
   }
@@ -115,6 +118,7 @@ class Search {
 
   const std::string& file_;
   const std::string& text_;
+  const Tokens& tokens_;
   const Withheld& withheld_;
   std::vector<Leak>& leaks_;
 };
@@ -133,11 +137,17 @@ bool isWithheldFile(const std::string& file) {
   return std::ranges::any_of(folders, [&file](const char* folder) { return file.starts_with(folder); });
 }
 
-std::set<std::string> namesIn(const Tree& tree) {
+/// path -> tokens, which point into the tree; none of what is no source
+std::map<std::string, Tokens> tokensIn(const Tree& tree) {
+  std::map<std::string, Tokens> tokens;
+  for (const auto& [file, text] : tree) tokens[file] = isSource(file) ? tokenise(text) : Tokens{};
+  return tokens;
+}
+
+std::set<std::string> namesIn(const std::map<std::string, Tokens>& sources) {
   std::set<std::string> names;
-  for (const auto& [file, text] : tree) {
-    if (!isSource(file)) continue;
-    for (const Token& token : tokenise(text)) {
+  for (const auto& [file, tokens] : sources) {
+    for (const Token& token : tokens) {
       if (token.kind == Token::Kind::Identifier) names.emplace(token.text);
     }
   }
@@ -150,10 +160,11 @@ std::string Leak::text() const { return fmt::format("{}:{} {}", file, line, what
 
 std::vector<Leak> findLeaks(const Tree& tree, const Withheld& withheld, const std::vector<std::string>& paths) {
   std::vector<Leak> leaks;
-  const std::set<std::string> known = namesIn(tree);
+  const std::map<std::string, Tokens> tokens = tokensIn(tree);
+  const std::set<std::string> known = namesIn(tokens);
   for (const auto& [file, text] : tree) {
     if (isWithheldFile(file)) leaks.push_back({file, 1, "is no student's"});
-    Search search(file, text, withheld, leaks);
+    Search search(file, text, tokens.at(file), withheld, leaks);
     if (isSource(file)) {
       search.findAnswers();
       search.findBodies();

@@ -29,6 +29,13 @@ constexpr std::size_t fewestWrong = 8;
 /// Those that every exercise has: they lose everything, whatever its functions are.
 const std::set<std::string> plainWrongs = {"zero", "constant", "stateful"};
 
+/// \param error of readManifest(): "TOPIC/exercise.toml:LINE: what is wrong"
+Finding unreadable(const std::string& topic, const std::string& error, const std::string& todo) {
+  const std::size_t colon = error.starts_with(topic + "/") ? error.find(": ") : std::string::npos;
+  if (colon == std::string::npos) return {fmt::format("exercises/{}/exercise.toml", topic), error, todo};
+  return {"exercises/" + error.substr(0, colon), error.substr(colon + 2), todo};
+}
+
 /// One exercise's four folders.
 class FileLint {
  public:
@@ -108,7 +115,7 @@ class FileLint {
     try {
       return readManifest(checkout_ / manifestName());
     } catch (const std::exception& error) {
-      add(manifestName(), error.what(), "mend it: nothing else of this exercise can be looked at");
+      findings_.push_back(unreadable(topic_, error.what(), "mend it: nothing else of this exercise can be looked at"));
       return std::nullopt;
     }
   }
@@ -237,6 +244,28 @@ class FileLint {
 }  // namespace
 
 std::string Finding::text() const { return fmt::format("{}: {}{}{}", where, what, todo.empty() ? "" : "; ", todo); }
+
+std::vector<Finding> lintManifests(const fs::path& checkout) {
+  std::vector<Finding> findings;
+  for (const auto& entry : fs::directory_iterator(checkout / "exercises")) {
+    const fs::path manifest = entry.path() / "exercise.toml";
+    if (!fs::exists(manifest)) continue;
+    try {
+      readManifest(manifest);
+    } catch (const std::exception& error) {
+      findings.push_back(unreadable(entry.path().filename().string(), error.what(),
+                                    "mend it: nothing is built and graded until then"));
+    }
+  }
+  std::ranges::sort(findings, {}, &Finding::where);
+  if (!findings.empty()) return findings;
+  try {
+    readCourse(checkout / "exercises");
+  } catch (const std::exception& error) {
+    findings.push_back({"exercises", error.what(), ""});
+  }
+  return findings;
+}
 
 std::vector<Finding> lintFiles(const fs::path& checkout, const std::string& topic) {
   return FileLint(checkout, topic).lint();

@@ -17,6 +17,10 @@ struct Finding {
   std::string text() const;
 };
 
+/// The manifests of the course that cannot be read, and two that contradict each other: what stops every build of the
+/// graded tests, each in one line, read off the files alone.
+std::vector<Finding> lintManifests(const std::filesystem::path& checkout);
+
 /// What can be read off the files of an exercise: a missing file, a line still to be written, a manifest that is none,
 /// an empty hint, too few criteria, a statement without figure, a contract without units or ranges, too few
 /// submissions, a criterion that no wrong submission loses, a mistake that none shows, a submission that is not known

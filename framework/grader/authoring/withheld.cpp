@@ -3,10 +3,10 @@
 #include "base/file.h"
 #include "course/contract.h"
 #include "course/manifest.h"
-#include "grader/matrix/token.h"
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <set>
 
 namespace muelle::grader {
 
@@ -77,14 +77,15 @@ bool opensBody(const Tokens& tokens, std::size_t i) {
   return tokens[i - 1].text == ")" || (tokens[i - 1].text == "const" && i > 1 && tokens[i - 2].text == ")");
 }
 
+/// \param action takes a file and its tokens
 template <class Action>
 void forEachSource(const fs::path& folder, const Action& action) {
   if (!fs::exists(folder)) return;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const fs::path extension = entry.path().extension();
-    if (entry.is_regular_file() && (extension == ".cpp" || extension == ".h")) {
-      action(entry.path(), readFile(entry.path()));
-    }
+    if (!entry.is_regular_file() || (extension != ".cpp" && extension != ".h")) continue;
+    const std::string text = readFile(entry.path());
+    action(entry.path(), tokenise(text));
   }
 }
 
@@ -97,21 +98,20 @@ class Reader {
     for (const Manifest& exercise : readCourse(checkout_ / "exercises")) {
       takeContract(exercise.topic);
       forEachSource(checkout_ / "tests/submissions" / exercise.topic / "right",
-                    [this](const fs::path& file, const std::string& text) { takeAnswers(file, text); });
+                    [this](const fs::path& file, const Tokens& tokens) { takeAnswers(shown(file), tokens); });
     }
-    forEachSource(checkout_ / "solutions", [this](const fs::path& file, const std::string& text) {
-      takeAnswers(file, text);
-      takeBodies(file, text);
-      takeNumbers(shown(file), tokenise(text));
+    forEachSource(checkout_ / "solutions", [this](const fs::path& file, const Tokens& tokens) {
+      takeAnswers(shown(file), tokens);
+      takeBodies(shown(file), tokens);
+      takeNumbers(shown(file), tokens);
     });
-    forEachSource(checkout_ / "tests/hidden", [this](const fs::path& file, const std::string& text) {
-      const Tokens tokens = tokenise(text);
+    forEachSource(checkout_ / "tests/hidden", [this](const fs::path& file, const Tokens& tokens) {
       takeNumbers(shown(file), tokens);
       takeSentences(shown(file), tokens);
     });
     for (const char* room : {"framework/engine", "framework/lab", "framework/grader"}) {
       forEachSource(checkout_ / room,
-                    [this](const fs::path& file, const std::string& text) { takeTypes(shown(file), tokenise(text)); });
+                    [this](const fs::path& file, const Tokens& tokens) { takeTypes(shown(file), tokens); });
     }
     return std::move(withheld_);
   }
@@ -126,15 +126,15 @@ class Reader {
     }
   }
 
-  void takeAnswers(const fs::path& file, const std::string& text) {
-    for (const Expression& expression : expressionsOf(text)) {
-      if (expression.weight >= leastWeight) withheld_.plain.emplace(expression.plain, shown(file));
-      if (expression.weight >= leastShapeWeight) withheld_.shapes.emplace(expression.shape, shown(file));
+  void takeAnswers(const std::string& file, const Tokens& tokens) {
+    for (const Expression& expression : expressionsOf(tokens)) {
+      if (expression.weight >= leastWeight) withheld_.plain.emplace(expression.plain, file);
+      if (expression.weight >= leastShapeWeight) withheld_.shapes.emplace(expression.shape, file);
     }
   }
 
-  void takeBodies(const fs::path& file, const std::string& text) {
-    for (const Expression& body : bodiesOf(text)) withheld_.bodies.emplace(body.shape, shown(file));
+  void takeBodies(const std::string& file, const Tokens& tokens) {
+    for (const Expression& body : bodiesOf(tokens)) withheld_.bodies.emplace(body.shape, file);
   }
 
   void takeNumbers(const std::string& file, const Tokens& tokens) {
@@ -169,8 +169,7 @@ class Reader {
 
 }  // namespace
 
-std::vector<Expression> expressionsOf(std::string_view source) {
-  const Tokens tokens = tokenise(source);
+std::vector<Expression> expressionsOf(const Tokens& tokens) {
   std::vector<Expression> expressions;
   std::size_t begin = 0;
   for (std::size_t i = 0; i <= tokens.size(); ++i) {
@@ -186,8 +185,7 @@ std::vector<Expression> expressionsOf(std::string_view source) {
   return expressions;
 }
 
-std::vector<Expression> bodiesOf(std::string_view source) {
-  const Tokens tokens = tokenise(source);
+std::vector<Expression> bodiesOf(const Tokens& tokens) {
   std::vector<Expression> bodies;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     if (!opensBody(tokens, i)) continue;

@@ -1,7 +1,8 @@
 #pragma once
+#include "grader/matrix/token.h"
+
 #include <filesystem>
 #include <map>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,11 +19,11 @@ struct Expression {
 };
 
 /// What is returned or assigned in a source, a statement each; those with two arithmetic operators at least.
-std::vector<Expression> expressionsOf(std::string_view source);
+std::vector<Expression> expressionsOf(const std::vector<Token>& source);
 
 /// The bodies of a source's functions, each as one expression: lines that are too short to be told from anybody's may
 /// answer an exercise together.
-std::vector<Expression> bodiesOf(std::string_view source);
+std::vector<Expression> bodiesOf(const std::vector<Token>& source);
 
 /// A number with a fraction and four digits that count, at least: "0.858375"; no round one such as 100.0.
 bool isOwnNumber(std::string_view number);

@@ -245,7 +245,19 @@ void Collector::addToOthers(Slot& slot, Candidate found) {
   }
 }
 
+/// Of an exercise that is not asked for: in its folder, however deep, or named as its contract.
+bool Collector::isOfAnother(const RelativePath& path) const {
+  if (only_.empty()) return false;
+  for (auto folder = path.rbegin() + 1; folder != path.rend(); ++folder) {
+    if (const std::string topic = topicOf(*folder); !topic.empty()) return !isAskedFor(topic);
+  }
+  return std::ranges::any_of(course_, [&](const Manifest& manifest) {
+    return path.back() == manifest.topic + ".h" && !isAskedFor(manifest.topic);
+  });
+}
+
 void Collector::ignore(const RelativePath& path, const std::string& why) {
+  if (isOfAnother(path)) return;
   const RelativePath folder(path.begin(), path.end() - 1);
   ignored_[{show(folder), why}].push_back(cut(printableLine(path.back()), shownNameBytes));
 }
@@ -259,9 +271,10 @@ bool Collector::isHandedOut(const RelativePath& path) const {
 }
 
 void Collector::handedOut(const RelativePath& path, const std::function<Content()>& read) {
-  ++handedOut_;
   const std::string topic = topicOf(parentOf(path));
-  if (path.back() != topic + ".h" || !isAskedFor(topic)) return;
+  if (!isAskedFor(topic)) return;
+  ++handedOut_;
+  if (path.back() != topic + ".h") return;
   const Content content = read();
   if (content.refusal.empty() && content.fault.empty()) contracts_[topic].insert(handedOutHash(content.bytes));
 }

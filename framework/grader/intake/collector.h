@@ -101,6 +101,8 @@ class Collector {
   void add(const Key& key, Candidate found);
   static void addToOthers(Slot& slot, Candidate found);
   bool isStub(const Key& key, const Content& content) const;
+  bool isOfAnother(const RelativePath& path) const;
+  /// Says so, unless it is of an exercise that is not asked for.
   void ignore(const RelativePath& path, const std::string& why);
   /// isHidden(), and counts it.
   bool passOver(const RelativePath& path);

@@ -24,8 +24,9 @@ class Namer {
     const FunctionEvidence& evidence = evidence_.at(function);
     if (!evidence.isStateful && evidence.wrong + evidence.imprecise < fewestWrong) return std::nullopt;
     if (evidence.isUnwritten) return std::nullopt;  // that is said, and its numbers are nobody's
-    for (const auto way : {&Namer::degenerate, &Namer::listed, &Namer::genericExactly, &Namer::wholeNumbers,
-                           &Namer::nearlyRight, &Namer::generic, &Namer::notANumber, &Namer::partly}) {
+    for (const auto way :
+         {&Namer::stateful, &Namer::zeroByDivision, &Namer::listed, &Namer::alwaysTheSame, &Namer::genericExactly,
+          &Namer::wholeNumbers, &Namer::nearlyRight, &Namer::generic, &Namer::notANumber, &Namer::partly}) {
       if (auto named = (this->*way)(function, evidence)) return named;
     }
     return std::nullopt;
@@ -39,30 +40,35 @@ class Namer {
     return 5 * evidence.imprecise >= evidence.calls && 2 * evidence.wrong <= evidence.calls;
   }
 
+  static bool isAlwaysZero(const FunctionEvidence& evidence) { return evidence.zero == evidence.calls; }
+
   /// Where the answers are imprecise anyway, a mistake that agrees to six digits alone explains nothing.
   static bool isSure(const Hypothesis& hypothesis, const FunctionEvidence& evidence) {
     return hypothesis.isExact || !isImprecise(evidence);
   }
 
-  Found degenerate(const std::string& function, const FunctionEvidence& evidence) const {
-    if (evidence.isStateful) {
-      return NamedMistake{
-          "stateful", function,
-          fmt::format("{} depends on earlier calls: asked the same again, or first of all, it answers otherwise",
-                      function),
-          "Take out static and global variables, and give every variable a value in each call."};
-    }
-    if (evidence.zero == evidence.calls) {
-      if (auto division = wholeNumbers(function, evidence)) return division;
-      if (auto own = listed(function, evidence)) return own;  // in the exercise's words
+  Found stateful(const std::string& function, const FunctionEvidence& evidence) const {
+    if (!evidence.isStateful) return std::nullopt;
+    return NamedMistake{
+        "stateful", function,
+        fmt::format("{} depends on earlier calls: asked the same again, or first of all, it answers otherwise",
+                    function),
+        "Take out static and global variables, and give every variable a value in each call."};
+  }
+
+  /// 1 / 2 is 0: the line with it says more than any name for zeros.
+  Found zeroByDivision(const std::string& function, const FunctionEvidence& evidence) const {
+    return isAlwaysZero(evidence) ? wholeNumbers(function, evidence) : std::nullopt;
+  }
+
+  Found alwaysTheSame(const std::string& function, const FunctionEvidence& evidence) const {
+    if (isAlwaysZero(evidence)) {
       return NamedMistake{"zero", function, fmt::format("{} always gives 0", function),
                           "It may still be as it was handed out, or return before it has computed anything."};
     }
-    if (evidence.isConstant) {
-      return NamedMistake{"constant", function, fmt::format("{} always gives the same answer", function),
-                          "The answer must follow from the arguments."};
-    }
-    return std::nullopt;
+    if (!evidence.isConstant) return std::nullopt;
+    return NamedMistake{"constant", function, fmt::format("{} always gives the same answer", function),
+                        "The answer must follow from the arguments."};
   }
 
   /// The manifest's words for a mistake of a function: its own, or those for a lower function that was wrong, too.

@@ -72,6 +72,18 @@ TEST_F(Check, ARightFilePassesAndLeavesItsCurve) {
   EXPECT_NE(readFile(curves.figures[0]).find("you predicted: 0.2 s"), std::string::npos);
 }
 
+TEST_F(Check, ACurveThatCannotBeDrawnLeavesNoneOfAnEarlierCheck) {
+  const CurvesReport drawn = drawCurves(build(twice + entry), folders_.out, "");
+  ASSERT_EQ(drawn.figures.size(), 1U);
+  writeFile(folders_.out / "swing.svg", "drawn by another command");
+  const CurvesReport failed = drawCurves(build("Vec3 twice(const Vec3&) { throw 1; }\n" + entry), folders_.out, "");
+  EXPECT_NE(failed.trouble, "");
+  std::vector<std::string> left;
+  for (const auto& file : std::filesystem::directory_iterator(folders_.out)) left.push_back(file.path().filename());
+  std::ranges::sort(left);
+  EXPECT_EQ(left, (std::vector<std::string>{"drawn.txt", "swing.svg"}));
+}
+
 TEST_F(Check, AWrongNumberIsACallToPaste) {
   const TestReport report = run("Vec3 twice(const Vec3& x) { return 3 * x; }\n" + entry);
   EXPECT_EQ(report.passed, 1);

@@ -24,7 +24,7 @@ class Leaks : public testing::Test {
     withheld_.sentences["a stretched spring pulls its nodes together"] = "tests/hidden/spring/spring_test.cpp";
     withheld_.numbers["0.858375"] = "tests/hidden/spring/spring_test.cpp";
     withheld_.types["WorkerProcess"] = "framework/grader/remote/worker_process.h";
-    for (const Expression& answer : expressionsOf("double f() { return -k * (L - L0) * (xa - xb) / L; }")) {
+    for (const Expression& answer : expressionsOf(tokenise("double f() { return -k * (L - L0) * (xa - xb) / L; }"))) {
       withheld_.plain[answer.plain] = withheld_.shapes[answer.shape] = "solutions/spring/spring.cpp";
     }
   }
@@ -65,7 +65,7 @@ TEST(Bodies, AreFoundWithShortLinesAndOtherNames) {
   const std::string body =
       "for (Node& {0} : nodes) {0}.F = zero(); for (Spring& {1} : springs) {{ {1}.calcForce(); "
       "{1}.na->F += {1}.F; {1}.nb->F -= {1}.F; }}";
-  for (const Expression& found : bodiesOf("void f() {" + fmt::format(fmt::runtime(body), "n", "s") + "}")) {
+  for (const Expression& found : bodiesOf(tokenise("void f() {" + fmt::format(fmt::runtime(body), "n", "s") + "}"))) {
     withheld.bodies.emplace(found.shape, "solutions/a/a.cpp");
   }
   const Tree tree = {{"exercises/a/a.cpp", "void f() const { " + fmt::format(fmt::runtime(body), "node", "b") + " }"}};

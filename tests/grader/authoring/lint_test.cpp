@@ -81,6 +81,26 @@ TEST_F(Lint, APointlessCriterionIsToldWithItsLine) {
   expectTold("points");
 }
 
+TEST_F(Lint, AManifestThatCannotBeReadIsToldInOneLineBeforeAnythingIsBuilt) {
+  EXPECT_TRUE(lintManifests(course_.path()).empty());
+  replace(exercise_ + "exercise.toml", "points = 10", "point = 10");
+  const std::vector<Finding> unknown = lintManifests(course_.path());
+  ASSERT_EQ(unknown.size(), 1U);
+  EXPECT_TRUE(unknown[0].where.starts_with("exercises/swing/exercise.toml:")) << unknown[0].where;
+  EXPECT_NE(unknown[0].what.find("point"), std::string::npos) << unknown[0].what;
+  expectTold("exercises/swing/exercise.toml:");
+  writeFile(course_.path() / (exercise_ + "exercise.toml"), "title = 3 4\n");
+  ASSERT_EQ(lintManifests(course_.path()).size(), 1U);
+  EXPECT_EQ(lintManifests(course_.path())[0].where, "exercises/swing/exercise.toml:1");
+}
+
+TEST_F(Lint, TwoExercisesOfOneOrderAreTold) {
+  fs::copy(course_.path() / "exercises/swing", course_.path() / "exercises/other", fs::copy_options::recursive);
+  const std::vector<Finding> same = lintManifests(course_.path());
+  ASSERT_EQ(same.size(), 1U);
+  EXPECT_NE(same[0].what.find("have the same order"), std::string::npos) << same[0].what;
+}
+
 TEST_F(Lint, AFunctionIsOneOfTheContract) {
   replace(exercise_ + "exercise.toml", "functions = [\"swingForce\"]", "functions = [\"swingFroce\"]");
   expectTold("criterion Force names swingFroce, which the contract does not have");

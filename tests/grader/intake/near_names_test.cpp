@@ -127,6 +127,20 @@ TEST_F(HandInNames, ALinkWithANearNameIsRefused) {
   EXPECT_EQ(take().refused.at("spring_1d"), "spring_1d (1).cpp is a symbolic link");
 }
 
+TEST_F(HandInTopics, NothingIsSaidOfWhatBelongsToOthers) {
+  folder_.write("spring_1d/spring_1d.cpp", "one");
+  folder_.write("spring_1d/notes.txt", "mine");
+  folder_.write("spring_1d/spring_1d.h", "handed out");
+  for (const char* file : {"triangle/triangle.cpp", "triangle/notes.txt", "triangle/build/log.txt",
+                           "triangle/draft.cpp", "triangle/triangle.h", "triangle/README.md", "triangle.h"}) {
+    folder_.write(file, "of another exercise");
+  }
+  EXPECT_EQ(take({"spring_1d"}).notes,
+            (std::vector<std::string>{"ignored in spring_1d/: notes.txt",
+                                      "ignored 1 files that the course hands out; its own are used"}));
+  EXPECT_GT(take().notes.size(), 2U) << "who asks for all is told of all";
+}
+
 TEST_F(HandInTopics, AskAboutTheFileInTheirFolder) {
   folder_.write("spring_1d/resorte.cpp", "one");
   folder_.write("spring_1d/demo.cpp", "as handed out");

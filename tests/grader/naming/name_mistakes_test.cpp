@@ -146,6 +146,19 @@ TEST(Naming, PrefersTheManifestsWordsAndSaysBothWhereTwoFit) {
             "the half is missing; or, with the same numbers, each spring counts twice");
 }
 
+TEST(Naming, PrefersTheManifestsWordsForWhatIsAlwaysTheSame) {
+  for (const double answer : {0.0, 3.0}) {
+    const auto same = [answer](double, double, double) { return answer; };
+    ForceHistory history;
+    history.addMistake("rigid", same);
+    ask(history, same, 40);
+    GradedExercise exercise = exerciseOf({lostBy(history)});
+    exercise.manifest.misconceptions = {{"rigid", "force", "the spring never moves", "h"}};
+    nameMistakes(exercise, springContract, "");
+    EXPECT_EQ(exercise.verdicts.at("Force").mistakes.front().says, "the spring never moves") << answer;
+  }
+}
+
 TEST(Naming, SaysWhatALostTestHasSeenAtWork) {
   Verdict lost, earned;
   lost.suite = "Fast";
