@@ -1,5 +1,6 @@
 #include "grader/intake/collector.h"
 
+#include "base/text/count.h"
 #include "base/text/lists.h"
 #include "base/text/nearest.h"
 #include "base/text/printable.h"
@@ -291,7 +292,8 @@ std::vector<std::string> Collector::notes(const Submission& submission) const {
                         : fmt::format("ignored {} other files{}: {}{}", names.size(), folder, list(names), why));
   }
   if (handedOut_ > 0)
-    lines.push_back(fmt::format("ignored {} files that the course hands out; its own are used", handedOut_));
+    lines.push_back(fmt::format("ignored {} that the course hands out; its own are used",
+                                counted(static_cast<long long>(handedOut_), "file")));
   if (hidden_ > 0) lines.push_back(fmt::format("ignored {} hidden files or folders", hidden_));
   if (lines.size() > limits_.notes) {
     const std::size_t rest = lines.size() - limits_.notes;

@@ -137,7 +137,7 @@ TEST_F(HandInTopics, NothingIsSaidOfWhatBelongsToOthers) {
   }
   EXPECT_EQ(take({"spring_1d"}).notes,
             (std::vector<std::string>{"ignored in spring_1d/: notes.txt",
-                                      "ignored 1 files that the course hands out; its own are used"}));
+                                      "ignored 1 file that the course hands out; its own are used"}));
   EXPECT_GT(take().notes.size(), 2U) << "who asks for all is told of all";
 }
 
