@@ -294,7 +294,9 @@ std::vector<std::string> Collector::notes(const Submission& submission) const {
   if (handedOut_ > 0)
     lines.push_back(fmt::format("ignored {} that the course hands out; its own are used",
                                 counted(static_cast<long long>(handedOut_), "file")));
-  if (hidden_ > 0) lines.push_back(fmt::format("ignored {} hidden files or folders", hidden_));
+  if (hidden_ > 0)
+    lines.push_back("ignored " +
+                    counted(static_cast<long long>(hidden_), "hidden file or folder", "hidden files or folders"));
   if (lines.size() > limits_.notes) {
     const std::size_t rest = lines.size() - limits_.notes;
     lines.resize(limits_.notes);
