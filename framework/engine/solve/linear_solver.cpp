@@ -2,6 +2,7 @@
 
 #include "engine/solve/dense.h"
 #include "engine/solve/sparse_ldlt.h"
+#include "engine/solve/supernodal_cholesky.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -77,7 +78,7 @@ struct Pattern {
 }  // namespace
 
 struct LinearSolver::Parts {
-  enum class Kind { None, Diagonal, LDLT, LU };
+  enum class Kind { None, Diagonal, LDLT, Supernodal, LU };
 
   Kind kind = Kind::None;
   const SystemMatrix* J = nullptr;
@@ -85,7 +86,9 @@ struct LinearSolver::Parts {
   Vector diagonal;
   SparseLdlt ldlt{SparseLdlt::Order::LeastFill};
   Eigen::SparseLU<Sparse> lu;
-  Pattern ldltPattern, luPattern;
+  SupernodalCholesky supernodal;
+  bool isSupernodal = false;  // worth while for the pattern of that name
+  Pattern ldltPattern, supernodalPattern, luPattern;
   Matrix U, AinvU;  // the columns of the low-rank part that count, and A^-1 of them
   Vector s;
   Eigen::PartialPivLU<Matrix> capacitance;
@@ -117,6 +120,23 @@ struct LinearSolver::Parts {
     return result.vanishing == 0;
   }
 
+  /// Of positive definite matrices alone, and where it is the faster one; what it refuses goes to LDLT, which counts.
+  bool factoriseSupernodal(const Sparse& A, Factorisation& result) {
+    constexpr Eigen::Index fewest = 1000;  // unknowns, below which nothing fills in enough
+    if (A.rows() < fewest) return false;
+    if (!supernodalPattern.fits(A)) {
+      isSupernodal = supernodal.analyse(A);
+      supernodalPattern.keep(A);
+    }
+    if (!isSupernodal || !supernodal.factorise(A)) return false;
+    Factorisation found;
+    countPivots(supernodal.pivots(), supernodal.inPivotOrder(columnSizes(A)), found);
+    if (found.vanishing > 0) return false;
+    result = found;
+    kind = Kind::Supernodal;
+    return true;
+  }
+
   bool factoriseLU(const Sparse& A, Factorisation& result) {
     if (!luPattern.fits(A)) {
       lu.analyzePattern(A);
@@ -138,6 +158,9 @@ struct LinearSolver::Parts {
         break;
       case Kind::LDLT:
         ldlt.solve(b, x);
+        break;
+      case Kind::Supernodal:
+        supernodal.solve(b, x);
         break;
       case Kind::LU:
         x = lu.solve(b);
@@ -233,7 +256,7 @@ Factorisation LinearSolver::factorise(const SystemMatrix& J, bool onlyDefinite) 
     if (!done) result.failure = fmt::format("the matrix is singular: {} vanishing pivots", result.vanishing);
   } else {
     p.norm = infinityNorm(A);
-    if (J.symmetric) done = p.factoriseLDLT(A, result);
+    if (J.symmetric) done = p.factoriseSupernodal(A, result) || p.factoriseLDLT(A, result);
     const bool givenUp = onlyDefinite && J.symmetric && J.lowRank.empty() && (!done || result.negative > 0);
     if (!done && !givenUp) done = p.factoriseLU(A, result);
   }

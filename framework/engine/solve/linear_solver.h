@@ -19,7 +19,8 @@ struct Factorisation {
 
 /// Direct solver for the matrices of implicit steps and of statics.
 ///
-/// A symmetric sparse part is factorised as LDL^T (a diagonal one is divided by), any other as LU with pivoting. The
+/// A symmetric sparse part is factorised as LDL^T (a diagonal one is divided by; a positive definite one that fills in
+/// much by supernodes, where CHOLMOD is there), any other as LU with pivoting. The
 /// analysis of the pattern is kept as long as the pattern stays. A low-rank part never becomes dense: Woodbury's
 /// formula (A + U S U^T)^-1 = A^-1 - A^-1 U (S^-1 + U^T A^-1 U)^-1 U^T A^-1 costs r more solves and O(n r) memory.
 class LinearSolver {
