@@ -46,8 +46,7 @@ function(muelle_grading_parts topic)
   set(folder ${MUELLE_COURSE}/exercises/${topic})
   set(hidden ${MUELLE_COURSE}/tests/hidden/${topic})
 
-  add_library(glue_${topic} STATIC ${CMAKE_SOURCE_DIR}/framework/grader/worker/glue.cpp
-                                   $<TARGET_OBJECTS:muelle_worker_codec>)
+  add_library(glue_${topic} STATIC ${CMAKE_SOURCE_DIR}/framework/grader/worker/glue.cpp)
   target_link_libraries(glue_${topic} PRIVATE muelle_plain_flags Eigen3::Eigen)
   target_include_directories(glue_${topic} PRIVATE ${folder})
   target_compile_definitions(glue_${topic} PRIVATE MUELLE_CONTRACT="${topic}.h"

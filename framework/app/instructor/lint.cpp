@@ -60,7 +60,7 @@ std::vector<grader::Finding> lintRuns(const LintCommand& command, const grader::
     findings = grader::lintPublicTests(workplace, manifest);
     std::vector<grader::TopicMatrix> matrices = {planned(command, workplace, manifest)};
     grader::MatrixOptions options;
-    options.grading.seed = "tests of the tests";  // as test-the-tests: what it has graded is not graded again
+    options.grading.seed = grader::usualSeed;  // what test-the-tests has graded is not graded again
     options.jobs = command.jobs;
     grader::runMatrix(workplace, matrices, options, [&bar](double fraction) { bar.update(fraction); });
     for (grader::Finding& finding : grader::lintGraded(matrices[0])) findings.push_back(std::move(finding));

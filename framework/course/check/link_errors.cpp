@@ -24,36 +24,35 @@ std::vector<std::string> subjects(std::string_view linkerText, std::string_view 
   return found;
 }
 
-struct NamedLine {
+/// Where a function begins.
+struct FunctionStart {
   std::string name;
-  int line;
+  int line;               ///< from 1
+  std::string_view text;  ///< of the source from that line on
 };
 
 /// Functions that begin at the left margin: "type name(": enough to find a misspelt one.
-std::vector<NamedLine> functionsIn(std::string_view text) {
-  std::vector<NamedLine> functions;
+std::vector<FunctionStart> functionsIn(std::string_view text) {
+  std::vector<FunctionStart> functions;
   for (int number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::string_view here = text;
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
     const std::size_t open = line.find('(');
     if (line.empty() || !isNameCharacter(line[0]) || open == std::string_view::npos) continue;
     std::size_t start = open;
     while (start > 0 && isNameCharacter(line[start - 1])) --start;
-    if (start > 0 && start < open) functions.push_back({std::string(line.substr(start, open - start)), number});
+    if (start > 0 && start < open) functions.push_back({std::string(line.substr(start, open - start)), number, here});
   }
   return functions;
 }
 
 /// The declaration of the function in the contract, on one line; "" when it has none.
 std::string declarationIn(std::string_view contract, const std::string& name) {
-  for (const NamedLine& function : functionsIn(contract)) {
+  for (const FunctionStart& function : functionsIn(contract)) {
     if (function.name != name) continue;
-    std::size_t start = 0;
-    for (int i = 1; i < function.line; ++i) start = contract.find('\n', start) + 1;
-    std::string declaration(contract.substr(start, contract.find(';', start) - start));
     std::string oneLine;
-    for (const char c : declaration) {
+    for (const char c : function.text.substr(0, function.text.find(';'))) {
       const bool isBlank = c == ' ' || c == '\n' || c == '\t' || c == '\r';
       if (!isBlank) oneLine += c;
       if (isBlank && !oneLine.empty() && oneLine.back() != ' ') oneLine += ' ';
@@ -81,56 +80,67 @@ std::string eigenMember(std::string_view name) {
   return std::string(rest.substr(0, rest.find_first_of("<(")));
 }
 
-/// Whether the function that begins in that line, from 1, is `inline` or `static`.
-bool hasSpecifier(std::string_view text, int number, const std::string& specifier) {
-  for (int i = 1; i < number; ++i) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
-  const std::string_view before = text.substr(0, std::min(text.find('('), text.find('\n')));
+/// Whether the function is `inline` or `static`.
+bool hasSpecifier(const FunctionStart& function, const std::string& specifier) {
+  const std::string_view before = function.text.substr(0, function.text.find_first_of("(\n"));
   return before.starts_with(specifier + " ") || contains(before, " " + specifier + " ");
 }
 
-/// What keeps a function of the right name from being the contract's: "inline: nothing outside the file can call it;
+/// What keeps a function of the right name from being the contract's: "is inline: nothing outside the file can call it;
 /// remove inline".
-std::string whyNotTheContracts(std::string_view text, int line) {
+std::string whyNotTheContracts(const FunctionStart& function) {
   for (const std::string specifier : {"inline", "static"}) {
-    if (hasSpecifier(text, line, specifier)) {
+    if (hasSpecifier(function, specifier)) {
       return fmt::format("is {0}: nothing outside the file can call it; remove {0}", specifier);
     }
   }
   return "has the name, but other argument types (const and & count), static, or a namespace around it";
 }
 
-/// One missing function.
-std::string explainMissing(const std::string& name, const std::vector<StudentFile>& files, std::string_view contract,
-                           std::string_view contractName) {
-  const std::string declaration = declarationIn(contract, name);
-  const std::string fileName = files.empty() ? "the file" : files.front().name;
-  if (const std::string member = eigenMember(name); !member.empty()) {
-    return fmt::format(
-        "{0} uses Eigen's {1}(), which stands in another header\n      = add  #include <Eigen/Dense>  below "
-        "the include of {2}\n",
-        fileName, member, contractName);
-  }
-  if (declaration.empty()) return fmt::format("{} calls {}, which is written nowhere\n", fileName, name);
-  std::string text = fmt::format("{} declares this function, and {} does not define it:\n      {}\n", contractName,
-                                 fileName, declaration);
+/// What the student has written in the place of a function of the contract: "spring_1d.cpp:12 is inline: ...". "" when
+/// there is nothing like it.
+std::string insteadOf(const std::string& name, const std::vector<StudentFile>& files, std::string_view contract) {
   for (const StudentFile& file : files) {
+    const std::vector<FunctionStart> functions = functionsIn(file.text);
+    const auto same = std::ranges::find(functions, name, &FunctionStart::name);
+    if (same != functions.end()) return fmt::format("{}:{} {}", file.name, same->line, whyNotTheContracts(*same));
     std::vector<std::string> names;
-    for (const NamedLine& function : functionsIn(file.text)) {
-      if (function.name == name) {
-        return text + fmt::format("      = {}:{} {}\n", file.name, function.line,
-                                  whyNotTheContracts(file.text, function.line));
-      }
+    for (const FunctionStart& function : functions) {
       // A function that the contract knows is itself, not a misspelling of this one.
       if (declarationIn(contract, function.name).empty()) names.push_back(function.name);
     }
     const std::string guess = nearest(name, names);
-    for (const NamedLine& function : functionsIn(file.text)) {
-      if (!guess.empty() && function.name == guess) {
-        return text + fmt::format("      = {}:{} is called {}: is that a slip?\n", file.name, function.line, guess);
-      }
-    }
+    const auto alike = std::ranges::find(functions, guess, &FunctionStart::name);
+    if (alike != functions.end())
+      return fmt::format("{}:{} is called {}: is that a slip?", file.name, alike->line, guess);
   }
-  return text;
+  return "";
+}
+
+std::string firstNameOf(const std::vector<StudentFile>& files) {
+  return files.empty() ? "the file" : files.front().name;
+}
+
+/// A function that is missing, in words.
+struct MissingWords {
+  std::string what;  ///< lines
+  std::string why;   ///< one line without its end: what to mend; "" when nothing tells
+
+  std::string text() const { return what + (why.empty() ? "" : fmt::format("      = {}\n", why)); }
+};
+
+MissingWords explainMissing(const std::string& name, const std::vector<StudentFile>& files, std::string_view contract,
+                            std::string_view contractName) {
+  const std::string declaration = declarationIn(contract, name);
+  const std::string fileName = firstNameOf(files);
+  if (const std::string member = eigenMember(name); !member.empty()) {
+    return {fmt::format("{} uses Eigen's {}(), which stands in another header\n", fileName, member),
+            fmt::format("add  #include <Eigen/Dense>  below the include of {}", contractName)};
+  }
+  if (declaration.empty()) return {fmt::format("{} calls {}, which is written nowhere\n", fileName, name), ""};
+  return {fmt::format("{} declares this function, and {} does not define it:\n      {}\n", contractName, fileName,
+                      declaration),
+          insteadOf(name, files, contract)};
 }
 
 /// "springForce" of "muelle::springForce(Eigen::Matrix<...> const&)".
@@ -169,13 +179,9 @@ std::vector<std::string> missingFunctions(std::string_view linkerText, std::stri
 
 std::string missingSentence(const std::string& function, const std::vector<StudentFile>& files,
                             std::string_view contract, std::string_view contractName) {
-  const std::string text = explainMissing(function, files, contract, contractName);
-  const std::size_t reason = text.rfind("\n      = ");
-  constexpr std::size_t before = 9;
-  const std::string why = reason != std::string::npos
-                              ? text.substr(reason + before, text.find('\n', reason + before) - reason - before)
-                              : fmt::format("{} does not define it", files.empty() ? "the file" : files.front().name);
-  return printableLine(fmt::format("{} is missing: {}", function, why));
+  const std::string why = explainMissing(function, files, contract, contractName).why;
+  return printableLine(
+      fmt::format("{} is missing: {}", function, why.empty() ? firstNameOf(files) + " does not define it" : why));
 }
 
 std::string missingSource(const std::vector<std::string>& functions, const std::vector<StudentFile>& files,
@@ -224,7 +230,7 @@ std::string explainLinkErrors(std::string_view linkerText, const std::vector<Stu
   // The first few are enough to mend, as with errors of the compiler.
   constexpr std::size_t most = 3;
   for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
-    text += explainMissing(names[i], files, contract, contractName);
+    text += explainMissing(names[i], files, contract, contractName).text();
   }
   if (names.size() > most) text += fmt::format("and {} more that are missing\n", names.size() - most);
   return text.empty() ? printableText(cutText(linkerText, 10, 2000)) : printableText(text);

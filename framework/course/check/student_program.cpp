@@ -28,6 +28,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// What a slot of the build folder holds, beside the variants of the program.
+constexpr const char* programName = "program";
+constexpr const char* warningsName = "warnings";
+constexpr const char* stampName = "stamp";
+
 /// The compiler as driver of itself or of the linker, in the C locale: its words are read.
 ToolRun runTool(const std::vector<std::string>& command, const CompileLimits& limits) {
   ChildSpec spec;
@@ -97,46 +102,62 @@ class Builder {
       return program;
     }
     program.fingerprint = fingerprintOf(inputs());
-    const fs::path stamp = slot_ / "stamp";
-    if (fs::exists(stamp) && readFile(stamp) == program.fingerprint) return kept(program);
+    if (tryReadFile(slot_ / stampName) == program.fingerprint) return kept(program);
     const TemporaryFolder scratch(slot_);
-    std::vector<std::string> objects;
     const CompileView view(scratch.path(), contract_, students_);
-    for (const StudentFile& file : students_) {
-      objects.push_back(objectOf(file, scratch.path(), ".o"));
-      CompileVerdict verdict = decided(view, scratch.path(), [&] { return compile(view, file, objects.back()); });
-      if (!verdict.hidden.empty()) {
-        hidden_ = verdict.hidden;
-        verdict = decided(view, scratch.path(), [&] { return compile(view, file, objects.back()); });
-      }
-      program.diagnostics += verdict.diagnostics;
-      if (!take(verdict, program)) return program;
-    }
-    const fs::path fresh = scratch.path() / "program";
+    std::vector<std::string> objects;
+    if (!compileAll(view, scratch.path(), objects, program)) return program;
     if (!judgeObjects(objects, program)) return program;
-    CompileVerdict linked = decided(view, scratch.path(), [&] { return link(objects, fresh); });
-    if (!linked.missing.empty() && addMissing(view, linked.missing, objects)) {
-      program.diagnostics = linked.diagnostics + program.diagnostics;
-      linked = decided(view, scratch.path(), [&] { return link(objects, fresh); });
-    }
-    if (!linked.passed()) program.diagnostics = linked.diagnostics;
-    if (!take(linked, program)) return program;
-    const std::string hindrance = wantsSecondLook_ ? buildAgain(view, scratch.path(), sanitized) : "";
-    const bool looksTwice = wantsSecondLook_ && hindrance.empty();
-    const bool fillsTwice = wantsOtherFill_ && buildAgain(view, scratch.path(), refilled).empty();
-    const std::string warnings = program.diagnostics + hindrance;
-    // The stamp last: whoever reads it finds the program and the warnings that belong to it.
-    fs::remove(stamp);
-    for (const Variant& variant : {sanitized, refilled}) fs::remove(slot_ / variant.name);
-    fs::rename(fresh, slot_ / "program");
-    if (looksTwice) fs::rename(scratch.path() / sanitized.name, slot_ / sanitized.name);
-    if (fillsTwice) fs::rename(scratch.path() / refilled.name, slot_ / refilled.name);
-    writeFile(slot_ / "warnings", warnings);
-    writeFile(stamp, program.fingerprint);
+    if (!linkAll(view, scratch.path(), objects, program)) return program;
+    publish(view, scratch.path(), program);
     return kept(program);
   }
 
  private:
+  /// Of every file its object; false when one cannot be used.
+  bool compileAll(const CompileView& view, const fs::path& scratch, std::vector<std::string>& objects,
+                  StudentProgram& program) {
+    for (const StudentFile& file : students_) {
+      objects.push_back(objectOf(file, scratch, ".o"));
+      CompileVerdict verdict = decided(view, scratch, [&] { return compile(view, file, objects.back()); });
+      if (!verdict.hidden.empty()) {
+        hidden_ = verdict.hidden;
+        verdict = decided(view, scratch, [&] { return compile(view, file, objects.back()); });
+      }
+      program.diagnostics += verdict.diagnostics;
+      if (!take(verdict, program)) return false;
+    }
+    return true;
+  }
+
+  /// The program that runs; functions that are missing only cost the tests that call them.
+  bool linkAll(const CompileView& view, const fs::path& scratch, std::vector<std::string>& objects,
+               StudentProgram& program) {
+    const fs::path fresh = scratch / programName;
+    CompileVerdict linked = decided(view, scratch, [&] { return link(objects, fresh); });
+    if (!linked.missing.empty() && addMissing(view, linked.missing, objects)) {
+      program.diagnostics = linked.diagnostics + program.diagnostics;
+      linked = decided(view, scratch, [&] { return link(objects, fresh); });
+    }
+    if (!linked.passed()) program.diagnostics = linked.diagnostics;
+    return take(linked, program);
+  }
+
+  /// Puts the program and the variants of it that are of use into the slot.
+  void publish(const CompileView& view, const fs::path& scratch, const StudentProgram& program) {
+    const std::string hindrance = wantsSecondLook_ ? buildAgain(view, scratch, sanitized) : "";
+    const bool looksTwice = wantsSecondLook_ && hindrance.empty();
+    const bool fillsTwice = wantsOtherFill_ && buildAgain(view, scratch, refilled).empty();
+    // The stamp last: whoever reads it finds the program and the warnings that belong to it.
+    fs::remove(slot_ / stampName);
+    for (const Variant& variant : {sanitized, refilled}) fs::remove(slot_ / variant.name);
+    fs::rename(scratch / programName, slot_ / programName);
+    if (looksTwice) fs::rename(scratch / sanitized.name, slot_ / sanitized.name);
+    if (fillsTwice) fs::rename(scratch / refilled.name, slot_ / refilled.name);
+    writeFile(slot_ / warningsName, program.diagnostics + hindrance);
+    writeFile(slot_ / stampName, program.fingerprint);
+  }
+
   /// Compiles a definition of each function that is missing; a call of one says so.
   bool addMissing(const CompileView& view, const std::vector<std::string>& functions,
                   std::vector<std::string>& objects) {
@@ -182,8 +203,8 @@ class Builder {
 
   /// What stands in the slot.
   StudentProgram kept(StudentProgram program) const {
-    program.executable = slot_ / "program";
-    program.diagnostics = readFile(slot_ / "warnings");
+    program.executable = slot_ / programName;
+    program.diagnostics = readFile(slot_ / warningsName);
     if (fs::exists(slot_ / sanitized.name)) program.sanitized = slot_ / sanitized.name;
     if (fs::exists(slot_ / refilled.name)) program.refilled = slot_ / refilled.name;
     return program;

@@ -161,20 +161,9 @@ class FileLint {
     if (suites.size() < 2) add(tests, "one suite only", "test a second criterion with numbers checked by hand");
   }
 
-  std::vector<fs::path> submissions(const std::string& side) const {
-    std::vector<fs::path> folders;
-    const fs::path parent = checkout_ / corpus() / side;
-    if (!fs::exists(parent)) return folders;
-    for (const auto& entry : fs::directory_iterator(parent)) {
-      if (entry.is_directory()) folders.push_back(entry.path());
-    }
-    std::ranges::sort(folders);
-    return folders;
-  }
-
   void lintSubmissions(const Manifest& manifest) {
-    const std::vector<fs::path> right = submissions("right");
-    const std::vector<fs::path> wrong = submissions("wrong");
+    const std::vector<fs::path> right = foldersIn(checkout_ / corpus() / "right");
+    const std::vector<fs::path> wrong = foldersIn(checkout_ / corpus() / "wrong");
     lintCount(corpus() + "/right", right.size(), fewestRight, "of other styles, each with full marks");
     lintCount(corpus() + "/wrong", wrong.size(), fewestWrong, "of one plausible mistake each");
     for (const std::string& name : plainWrongs) {

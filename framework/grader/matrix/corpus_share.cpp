@@ -90,6 +90,13 @@ int shareOfEnvironment() {
   return static_cast<int>(every);
 }
 
+std::vector<fs::path> foldersIn(const fs::path& parent) {
+  if (!fs::exists(parent)) return {};
+  std::vector<fs::path> folders = children(parent);
+  std::erase_if(folders, [](const fs::path& path) { return !fs::is_directory(path); });
+  return folders;
+}
+
 std::vector<fs::path> submissionsIn(const fs::path& corpus) {
   std::vector<fs::path> found;
   for (const auto& entry : fs::recursive_directory_iterator(corpus)) {

@@ -34,6 +34,9 @@ class CorpusShare {
 /// Throws std::runtime_error when it is something else.
 int shareOfEnvironment();
 
+/// The folders that stand in `parent`, as those of a topic's wrong submissions, sorted; none where there is no parent.
+std::vector<std::filesystem::path> foldersIn(const std::filesystem::path& parent);
+
 /// The folders of the corpus that hold submissions (files and no folders), sorted.
 std::vector<std::filesystem::path> submissionsIn(const std::filesystem::path& corpus);
 

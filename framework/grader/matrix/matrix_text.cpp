@@ -20,17 +20,24 @@ std::string shortened(const std::string& text, std::size_t width) {
   return text.size() <= width ? text : text.substr(0, width - 3) + "...";
 }
 
-std::string label(const MatrixRow& row) {
-  switch (row.kind) {
+const char* kindText(MatrixRow::Kind kind) {
+  switch (kind) {
     case MatrixRow::Kind::Solution:
+      return "solution";
     case MatrixRow::Kind::Stub:
-      return row.name;
+      return "stub";
     case MatrixRow::Kind::Right:
-      return "right/" + row.name;
+      return "right";
     case MatrixRow::Kind::Wrong:
       break;
   }
-  return "wrong/" + row.name;
+  return "wrong";
+}
+
+/// "solution", "wrong/wrong_sign"
+std::string label(const MatrixRow& row) {
+  const bool isAlone = row.kind == MatrixRow::Kind::Solution || row.kind == MatrixRow::Kind::Stub;
+  return isAlone ? row.name : fmt::format("{}/{}", kindText(row.kind), row.name);
 }
 
 /// HookeForce -> HF
@@ -150,20 +157,6 @@ std::string csvLine(const std::vector<std::string>& fields) {
   std::string line;
   for (const std::string& field : fields) line += (line.empty() ? "" : ",") + csvField(field);
   return line + "\n";
-}
-
-const char* kindText(MatrixRow::Kind kind) {
-  switch (kind) {
-    case MatrixRow::Kind::Solution:
-      return "solution";
-    case MatrixRow::Kind::Stub:
-      return "stub";
-    case MatrixRow::Kind::Right:
-      return "right";
-    case MatrixRow::Kind::Wrong:
-      break;
-  }
-  return "wrong";
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ class Mutator {
   std::vector<Mutation> find() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       if (tokens_[i].text == "using" || tokens_[i].text == "namespace") i = endOfUsing(i);
-      if (i < tokens_.size() && !tokens_[i].template_) mutate(i);
+      if (i < tokens_.size() && !tokens_[i].inTemplateList) mutate(i);
     }
     return std::move(found_);
   }
@@ -128,7 +128,7 @@ class Mutator {
 
   bool isCallOrConstant(std::size_t i) const {
     if (tokens_[i].text == "true" || tokens_[i].text == "false") return true;
-    return i + 1 < tokens_.size() && (tokens_[i + 1].text == "(" || tokens_[i + 1].template_);
+    return i + 1 < tokens_.size() && (tokens_[i + 1].text == "(" || tokens_[i + 1].inTemplateList);
   }
 
   /// `return` -> `return -`, `=` -> `= -`.
@@ -150,7 +150,7 @@ class Mutator {
       const bool plainPath =
           std::all_of(tokens_.begin() + static_cast<std::ptrdiff_t>(i),
                       tokens_.begin() + static_cast<std::ptrdiff_t>(j), [](const Token& token) {
-                        return token.kind == Token::Kind::Identifier || token.text == "::" || token.template_;
+                        return token.kind == Token::Kind::Identifier || token.text == "::" || token.inTemplateList;
                       });
       return plainPath && tokens_[end - 1].text == ")";
     }

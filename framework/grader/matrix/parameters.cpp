@@ -37,7 +37,7 @@ std::map<std::string, std::string> parametersBetween(const std::vector<Token>& t
   std::size_t begin = open + 1;
   for (std::size_t i = open + 1; i <= close; ++i) {
     const std::string_view text = tokens[i].text;
-    if (i == close || (depth == 0 && text == "," && !tokens[i].template_)) {
+    if (i == close || (depth == 0 && text == "," && !tokens[i].inTemplateList)) {
       addParameter(tokens, begin, i, parameters);
       begin = i + 1;
     }

@@ -46,14 +46,7 @@ class Planner {
   std::string shown(const fs::path& path) const { return path.lexically_relative(workplace_.source).string(); }
 
   void addRows(MatrixRow::Kind kind, const std::string& side, const CorpusShare& share) {
-    std::vector<fs::path> folders;
-    if (fs::exists(submissions() / side)) {
-      for (const auto& entry : fs::directory_iterator(submissions() / side)) {
-        if (entry.is_directory()) folders.push_back(entry.path());
-      }
-    }
-    std::sort(folders.begin(), folders.end());
-    for (const fs::path& folder : folders) {
+    for (const fs::path& folder : foldersIn(submissions() / side)) {
       if (share.takes(folder)) addRow(kind, folder.filename().string(), folder);
     }
   }

@@ -23,7 +23,7 @@ bool Survivor::matches(const Mutation& other) const {
 
 Survivors readSurvivors(const std::filesystem::path& file, const std::string& shown) {
   if (!std::filesystem::exists(file)) return {};
-  const TomlValue root = readToml(file, shownPath(file));
+  const TomlValue root = readToml(file, shown);
   const TomlTable document(root, shown, "the list of survivors");
   document.checkKeys({"survivor", "any"}, {});
   Survivors survivors;

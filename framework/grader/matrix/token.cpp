@@ -142,9 +142,10 @@ std::size_t closingBracket(const std::vector<Token>& tokens, std::size_t open) {
 void markTemplateLists(std::vector<Token>& tokens) {
   for (std::size_t i = 1; i < tokens.size(); ++i) {
     const bool touchesName = tokens[i - 1].kind == Token::Kind::Identifier && !tokens[i].spaceBefore;
-    if (tokens[i].text != "<" || tokens[i].template_ || !(touchesName || tokens[i - 1].text == "template")) continue;
+    if (tokens[i].text != "<" || tokens[i].inTemplateList || !(touchesName || tokens[i - 1].text == "template"))
+      continue;
     const std::size_t close = closingBracket(tokens, i);
-    for (std::size_t j = i; j <= close; ++j) tokens[j].template_ = true;
+    for (std::size_t j = i; j <= close; ++j) tokens[j].inTemplateList = true;
   }
 }
 

@@ -16,7 +16,7 @@ struct Token {
   std::string_view text;   ///< into the source
   std::size_t offset = 0;  ///< of its first character
   bool spaceBefore = false;
-  bool template_ = false;  ///< stands in a template argument list, brackets included: `<3>` of head<3>()
+  bool inTemplateList = false;  ///< stands in a template argument list, brackets included: `<3>` of head<3>()
 };
 
 /// The tokens of a source without comments and preprocessor lines, longest operator first ("+=" is one). Text and

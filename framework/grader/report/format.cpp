@@ -43,6 +43,22 @@ std::string showState(Explanation::State state) {
   return "grader's fault";
 }
 
+const char* showMark(Explanation::State state) {
+  switch (state) {
+    case Explanation::State::Passed:
+      return "✓";
+    case Explanation::State::Partial:
+      return "~";
+    case Explanation::State::GraderFault:
+      return "!";
+    case Explanation::State::NotRun:
+      return "–";
+    case Explanation::State::Failed:
+      break;
+  }
+  return "✗";
+}
+
 double maxScore(const GradedExercise& exercise) {
   double sum = 0.0;
   for (const Criterion& criterion : exercise.manifest.criteria) sum += criterion.points;

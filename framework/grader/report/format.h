@@ -21,6 +21,14 @@ std::string showScore(const GradedSubmission& graded);
 /// "passed", "in part", "failed", "not run", "grader's fault".
 std::string showState(Explanation::State state);
 
+/// The sign that stands for it: "✓" "~" "✗" "–" "!".
+const char* showMark(Explanation::State state);
+
+/// What a student reads above everything where the grader is at fault.
+inline constexpr const char* faultSentence =
+    "The grader failed on part of this submission. That is not your fault: there is no score yet, and it will be run "
+    "again.";
+
 /// Sum of the criteria's points.
 double maxScore(const GradedExercise& exercise);
 

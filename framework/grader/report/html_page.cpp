@@ -21,22 +21,6 @@ std::string classOfState(State state) {
   return state == State::Partial || state == State::GraderFault ? "part" : "failed";
 }
 
-std::string markOf(State state) {
-  switch (state) {
-    case State::Passed:
-      return "✓";
-    case State::Partial:
-      return "~";
-    case State::GraderFault:
-      return "!";
-    case State::NotRun:
-      return "–";
-    case State::Failed:
-      break;
-  }
-  return "✗";
-}
-
 std::string pointsOf(const std::string& points, double most, const char* between) {
   return fmt::format("<p class=\"points\"><b>{}</b>{}{}</p>", points, between, showPoints(most));
 }
@@ -100,7 +84,7 @@ std::string why(const Explanation& explanation, const std::string& printed) {
 std::string criterionRow(const Criterion& criterion, const GradedExercise& exercise, const Explanation& explanation) {
   const bool built = exercise.build.status == BuildOutcome::Status::Built;
   return fmt::format("<div class=\"criterion {}\"><span class=\"mark\" title=\"{}\">{}</span><h3>{}</h3>{}\n{}</div>\n",
-                     classOfState(explanation.state), showState(explanation.state), markOf(explanation.state),
+                     classOfState(explanation.state), showState(explanation.state), showMark(explanation.state),
                      escapeHtml(criterion.name), pointsOf(showScore(criterion, exercise), criterion.points, " / "),
                      // A build that failed is told once, above the criteria.
                      built ? why(explanation, shownOutput(criterion, exercise)) : "");
@@ -183,16 +167,12 @@ std::string showDate(const std::string& date) {
 
 std::string pageHeader(const GradedSubmission& graded) {
   const double points = score(graded), most = maxScore(graded);
-  std::string html = fmt::format(
+  const std::string html = fmt::format(
       "<header class=\"total {}\"><div><p class=\"soft\">Muelle: graded submission</p><h1>{}</h1>"
       "<p class=\"soft\">{}graded in {:.1f} s</p></div>{}{}</header>\n",
       hasGraderFault(graded) ? "part" : classOf(points, most), escapeHtml(graded.name),
       escapeHtml(showDate(graded.date)), graded.seconds, pointsOf(showScore(graded), most, " of "), bar(points, most));
-  if (hasGraderFault(graded))
-    html +=
-        "<p class=\"warning\">The grader failed on part of this submission. That is not your fault: there is no "
-        "score yet, and it will be run again.</p>\n";
-  return html;
+  return html + paragraph("warning", hasGraderFault(graded) ? faultSentence : "");
 }
 
 /// Under the exercise's line: what to mend, so that the first screen says it.

@@ -16,7 +16,8 @@ class Mendings {
     std::ranges::stable_sort(all_, std::ranges::greater{}, &Mending::points);
   }
 
-  std::vector<Mending> take() { return std::move(all_); }
+  /// That which costs most first.
+  std::vector<Mending> sorted() && { return std::move(all_); }
 
  private:
   void take(const Criterion& criterion, const GradedExercise& exercise) {
@@ -56,7 +57,7 @@ std::vector<std::string> withoutCause(const GradedExercise& exercise) {
 
 }  // namespace
 
-std::vector<Mending> mendingsOf(const GradedExercise& exercise) { return Mendings(exercise).take(); }
+std::vector<Mending> mendingsOf(const GradedExercise& exercise) { return Mendings(exercise).sorted(); }
 
 std::vector<std::string> firstLines(const GradedExercise& exercise) {
   constexpr std::size_t most = 3;

@@ -41,10 +41,7 @@ Json testJson(const Criterion& criterion, const GradedExercise& exercise, const 
 
 std::string summary(const GradedSubmission& graded) {
   std::string text;
-  if (hasGraderFault(graded))
-    text +=
-        "The grader failed on part of this submission. That is not your fault: there is no score yet, and it will "
-        "be run again.\n";
+  if (hasGraderFault(graded)) text += fmt::format("{}\n", faultSentence);
   text += fmt::format("Sandbox: {}\n", showSandbox(graded));
   for (const std::string& note : graded.intakeNotes) text += printableLine(note) + '\n';
   for (const GradedExercise& exercise : graded.exercises) {

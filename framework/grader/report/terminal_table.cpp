@@ -104,26 +104,11 @@ class Table {
     const char* code = state == State::Passed                             ? paint::green
                        : state == State::Failed || state == State::NotRun ? paint::red
                                                                           : paint::yellow;
-    row(mark(state), criterion.name,
+    row(fmt::format("  {} ", showMark(state)), criterion.name,
         fmt::format("{} / {}", showScore(criterion, exercise), showPoints(criterion.points)), code);
     if (state == State::Passed) return;  // at most the note, which stands under the exercise
     const std::vector<std::string> lines = feedback(criterion, exercise);
     if (!lines.empty()) paragraph("      ", lines.front(), paint::dim);
-  }
-
-  static std::string mark(State state) {
-    switch (state) {
-      case State::Passed:
-        return "  ✓ ";
-      case State::Partial:
-        return "  ~ ";
-      case State::GraderFault:
-        return "  ! ";
-      case State::Failed:
-      case State::NotRun:
-        break;
-    }
-    return "  ✗ ";
   }
 
   bool colour_;

@@ -3,6 +3,9 @@
 /// Values as bytes and back: numbers, vectors and matrices of fixed and of run-time size, sparse matrices, lists and
 /// structs. `encode(writer, value)` and `decode(reader, value)`; decode throws WireError and allocates nothing that the
 /// message does not pay for.
+///
+/// Headers alone, which each half compiles with its own flags: the worker's fills Eigen's matrices with NaN and has no
+/// sanitizers, and an object made for one half would bring its copies of Eigen's functions into the other.
 
 #include "course/testing/struct_fields.h"
 #include "grader/wire/bytes.h"
@@ -11,6 +14,7 @@
 #include <Eigen/SparseCore>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace muelle::grader::wire {
@@ -25,14 +29,14 @@ template <Number T>
 void encode(Writer& writer, T value);
 template <Number T>
 void decode(Reader& reader, T& value);
-void encode(Writer& writer, const std::string& text);
-void decode(Reader& reader, std::string& text);
+inline void encode(Writer& writer, const std::string& text);
+inline void decode(Reader& reader, std::string& text);
 template <int Rows, int Cols, int Options>
 void encode(Writer& writer, const Eigen::Matrix<double, Rows, Cols, Options>& m);
 template <int Rows, int Cols, int Options>
 void decode(Reader& reader, Eigen::Matrix<double, Rows, Cols, Options>& m);
-void encode(Writer& writer, const Sparse& m);
-void decode(Reader& reader, Sparse& m);
+inline void encode(Writer& writer, const Sparse& m);
+inline void decode(Reader& reader, Sparse& m);
 template <class T>
 void encode(Writer& writer, const std::vector<T>& list);
 template <class T>
@@ -66,6 +70,16 @@ void decode(Reader& reader, T& value) {
   }
 }
 
+inline void encode(Writer& writer, const std::string& text) {
+  writer.number(static_cast<std::uint64_t>(text.size()));
+  for (const char c : text) writer.number(c);
+}
+
+inline void decode(Reader& reader, std::string& text) {
+  text.resize(reader.length(1));
+  for (char& c : text) c = reader.number<char>();
+}
+
 /// A matrix whose size is known travels as its entries alone; otherwise rows and columns come first.
 template <int Rows, int Cols, int Options>
 void encode(Writer& writer, const Eigen::Matrix<double, Rows, Cols, Options>& m) {
@@ -95,6 +109,43 @@ void decode(Reader& reader, Eigen::Matrix<double, Rows, Cols, Options>& m) {
     m.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(cols));
   }
   reader.numbers(m.data(), static_cast<std::size_t>(m.size()));
+}
+
+/// Rows, columns, then for each column the number of its entries and (row, value) of each: a column takes more bytes in
+/// the message than its start takes in memory.
+inline void encode(Writer& writer, const Sparse& m) {
+  writer.number(static_cast<std::uint64_t>(m.rows()));
+  writer.number(static_cast<std::uint64_t>(m.cols()));
+  for (Eigen::Index col = 0; col < m.outerSize(); ++col) {
+    std::uint64_t count = 0;
+    for (Sparse::InnerIterator entry(m, col); entry; ++entry) ++count;
+    writer.number(count);
+    for (Sparse::InnerIterator entry(m, col); entry; ++entry) {
+      writer.number(static_cast<std::int64_t>(entry.row()));
+      writer.number(entry.value());
+    }
+  }
+}
+
+inline void decode(Reader& reader, Sparse& m) {
+  constexpr std::uint64_t mostRows = 1'000'000;  // no answer is larger, and whoever multiplies by it allocates that
+  const auto rows = reader.number<std::uint64_t>();
+  const std::size_t cols = reader.length(sizeof(std::uint64_t));
+  if (rows > mostRows) throw WireError("a sparse matrix is too large");
+  m.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(cols));
+  for (std::size_t col = 0; col < cols; ++col) {
+    m.startVec(static_cast<Eigen::Index>(col));
+    const std::size_t count = reader.length(sizeof(std::uint64_t) + sizeof(double));
+    std::uint64_t next = 0;  // rows ascend, so that no entry comes twice
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto row = reader.number<std::uint64_t>();
+      const auto value = reader.number<double>();
+      if (row < next || row >= rows) throw WireError("an entry lies outside its sparse matrix");
+      m.insertBack(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(col)) = value;
+      next = row + 1;
+    }
+  }
+  m.finalize();
 }
 
 template <class T>

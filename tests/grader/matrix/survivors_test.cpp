@@ -76,6 +76,11 @@ TEST_F(SurvivorList, NeedsAReason) {
             "mutants.toml:4: key 'reason': is empty");
 }
 
+TEST_F(SurvivorList, ThatIsNoTomlIsNamedAsItIsShown) {
+  EXPECT_TRUE(complaint("any = 'a'\nany = 'b'\n").starts_with("mutants.toml:2: "))
+      << complaint("any = 'a'\nany = 'b'\n");
+}
+
 TEST_F(SurvivorList, RefusesWhatItDoesNotKnow) {
   EXPECT_TRUE(complaint("[[survivor]]\nlines = 'a'\n").starts_with("mutants.toml:2: key 'lines': unknown"));
   EXPECT_TRUE(complaint("[[mutant]]\nline = 'a'\n").starts_with("mutants.toml:1: key 'mutant'"));

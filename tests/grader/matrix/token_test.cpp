@@ -43,7 +43,7 @@ TEST(Tokens, TellsTemplateListsFromComparisons) {
         token.text == "double" || token.text == "std" || (token.text == "3" && source[token.offset + 1] == '>');
     const bool atStart = token.offset == 0;  // the first std
     if (token.kind != Token::Kind::Operator && !atStart && token.text != "array") {
-      EXPECT_EQ(token.template_, inList) << token.text << " at " << token.offset;
+      EXPECT_EQ(token.inTemplateList, inList) << token.text << " at " << token.offset;
     }
   }
 }

@@ -539,6 +539,7 @@ Vec3 line(int number) {
 
 /// The power of L, whole or half, that an answer follows from 0.3 m to 0.03 m: 0 for a direction, and for a force or an
 /// energy that L0 rules, 1 or 2 for these without L0. None where it follows another law: it is wrong at any length.
+/// expectPowerLaw() cannot ask so closely: it takes the nearest whole power, for right forces of contact bend.
 std::optional<double> powerOf(double at, double below) {
   if (at == 0) return std::nullopt;
   if (below == 0) return 0.0;
