@@ -1,6 +1,8 @@
 #include "engine/solve/supernodal_cholesky.h"
 
 #include <cholmod.h>
+#include <dlfcn.h>
+#include <fmt/format.h>
 #include <new>
 
 namespace muelle::engine {
@@ -14,39 +16,39 @@ using Vector = Eigen::VectorXd;
 /// the reference BLAS, where those of 250 to 350 take as long either way. A faster BLAS moves it down.
 constexpr double worthWhile = 300.0;
 
-/// Memory that is CHOLMOD's: freed by its own functions.
-template <class Memory, int (*release)(Memory**, cholmod_common*)>
-class Owned {
- public:
-  explicit Owned(cholmod_common& common) : common_(common) {}
-  Owned(const Owned&) = delete;
-  Owned& operator=(const Owned&) = delete;
-  ~Owned() { release(&memory_, &common_); }
+/// CHOLMOD's functions. The library brings eleven others along, which every program with the engine in it would load at
+/// its start; it is opened where the first large matrix comes.
+struct Cholmod {
+  decltype(&cholmod_start) start = nullptr;
+  decltype(&cholmod_finish) finish = nullptr;
+  decltype(&cholmod_analyze) analyze = nullptr;
+  decltype(&cholmod_factorize) factorize = nullptr;
+  decltype(&cholmod_solve2) solve2 = nullptr;
+  decltype(&cholmod_free_factor) freeFactor = nullptr;
+  decltype(&cholmod_free_dense) freeDense = nullptr;
+  bool isThere = false;
 
-  Memory* get() const { return memory_; }
-  Memory** place() { return &memory_; }
-  void take(Memory* memory) {
-    release(&memory_, &common_);
-    memory_ = memory;
+  /// The one of this process.
+  static const Cholmod& loaded() {
+    static const Cholmod cholmod;
+    return cholmod;
   }
 
  private:
-  cholmod_common& common_;
-  Memory* memory_ = nullptr;
-};
-
-/// Starts and finishes CHOLMOD.
-struct Common {
-  cholmod_common common{};
-
-  Common() {
-    cholmod_start(&common);
-    common.supernodal = CHOLMOD_SUPERNODAL;
-    common.print = 0;
+  Cholmod() {
+    // That of the header: the structures of another version are others.
+    void* library = dlopen(fmt::format("libcholmod.so.{}", CHOLMOD_MAIN_VERSION).c_str(), RTLD_NOW | RTLD_LOCAL);
+    isThere = library != nullptr && find(library, "cholmod_start", start) && find(library, "cholmod_finish", finish) &&
+              find(library, "cholmod_analyze", analyze) && find(library, "cholmod_factorize", factorize) &&
+              find(library, "cholmod_solve2", solve2) && find(library, "cholmod_free_factor", freeFactor) &&
+              find(library, "cholmod_free_dense", freeDense);
   }
-  Common(const Common&) = delete;
-  Common& operator=(const Common&) = delete;
-  ~Common() { cholmod_finish(&common); }
+
+  template <class Function>
+  static bool find(void* library, const char* name, Function& function) {
+    function = reinterpret_cast<Function>(dlsym(library, name));
+    return function != nullptr;
+  }
 };
 
 /// The lower triangle of A, which is not copied. CHOLMOD's functions write to none of it.
@@ -81,34 +83,50 @@ cholmod_dense column(const Vector& b) {
 
 }  // namespace
 
-struct SupernodalCholesky::Parts : Common {
-  using Dense = Owned<cholmod_dense, cholmod_free_dense>;
+struct SupernodalCholesky::Parts {
+  const Cholmod& cholmod = Cholmod::loaded();
+  cholmod_common common{};
+  cholmod_factor* factor = nullptr;
+  cholmod_dense *solution = nullptr, *work = nullptr, *moreWork = nullptr;  // kept, so that a solve allocates nothing
 
-  Owned<cholmod_factor, cholmod_free_factor> factor{common};
-  mutable Dense solution{common}, work{common}, moreWork{common};  // kept, so that a solve allocates nothing
+  Parts() {
+    cholmod.start(&common);
+    common.supernodal = CHOLMOD_SUPERNODAL;
+    common.print = 0;
+  }
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+  ~Parts() {
+    cholmod.freeFactor(&factor, &common);
+    for (cholmod_dense** vector : {&solution, &work, &moreWork}) cholmod.freeDense(vector, &common);
+    cholmod.finish(&common);
+  }
 };
 
-SupernodalCholesky::SupernodalCholesky() : parts_(std::make_unique<Parts>()) {}
+SupernodalCholesky::SupernodalCholesky() = default;
 SupernodalCholesky::~SupernodalCholesky() = default;
 
-bool SupernodalCholesky::isThere() { return true; }
+bool SupernodalCholesky::isThere() { return Cholmod::loaded().isThere; }
 
 bool SupernodalCholesky::analyse(const Sparse& A) {
+  if (!isThere()) return false;
+  if (parts_ == nullptr) parts_ = std::make_unique<Parts>();
+  Parts& p = *parts_;
   cholmod_sparse view = lowerTriangle(A);
-  cholmod_common& common = parts_->common;
-  parts_->factor.take(cholmod_analyze(&view, &common));
-  return parts_->factor.get() != nullptr && common.fl > worthWhile * common.lnz;
+  p.cholmod.freeFactor(&p.factor, &p.common);
+  p.factor = p.cholmod.analyze(&view, &p.common);
+  return p.factor != nullptr && p.common.fl > worthWhile * p.common.lnz;
 }
 
 bool SupernodalCholesky::factorise(const Sparse& A) {
+  Parts& p = *parts_;
   cholmod_sparse view = lowerTriangle(A);
-  cholmod_factor* factor = parts_->factor.get();
-  cholmod_factorize(&view, factor, &parts_->common);
-  return parts_->common.status == CHOLMOD_OK && factor->minor == factor->n;
+  p.cholmod.factorize(&view, p.factor, &p.common);
+  return p.common.status == CHOLMOD_OK && p.factor->minor == p.factor->n;
 }
 
 Vector SupernodalCholesky::pivots() const {
-  const cholmod_factor& factor = *parts_->factor.get();
+  const cholmod_factor& factor = *parts_->factor;
   const auto* firstColumn = static_cast<const int*>(factor.super);
   const auto* firstRow = static_cast<const int*>(factor.pi);
   const auto* firstEntry = static_cast<const int*>(factor.px);
@@ -125,7 +143,7 @@ Vector SupernodalCholesky::pivots() const {
 }
 
 Vector SupernodalCholesky::inPivotOrder(const Vector& v) const {
-  const auto* order = static_cast<const int*>(parts_->factor.get()->Perm);
+  const auto* order = static_cast<const int*>(parts_->factor->Perm);
   Vector ordered(v.size());
   for (Eigen::Index i = 0; i < v.size(); ++i) ordered[i] = v[order[i]];
   return ordered;
@@ -134,10 +152,10 @@ Vector SupernodalCholesky::inPivotOrder(const Vector& v) const {
 void SupernodalCholesky::solve(const Vector& b, Vector& x) const {
   Parts& p = *parts_;
   cholmod_dense right = column(b);
-  const bool solved = cholmod_solve2(CHOLMOD_A, p.factor.get(), &right, nullptr, p.solution.place(), nullptr,
-                                     p.work.place(), p.moreWork.place(), &p.common) != 0;
-  if (!solved) throw std::bad_alloc();
-  x = Eigen::Map<const Vector>(static_cast<const double*>(p.solution.get()->x), b.size());
+  const bool isSolved = p.cholmod.solve2(CHOLMOD_A, p.factor, &right, nullptr, &p.solution, nullptr, &p.work,
+                                         &p.moreWork, &p.common) != 0;
+  if (!isSolved) throw std::bad_alloc();
+  x = Eigen::Map<const Vector>(static_cast<const double*>(p.solution->x), b.size());
 }
 
 }  // namespace muelle::engine

@@ -9,7 +9,7 @@ namespace muelle::engine {
 /// P A P^T = L L^T of a symmetric positive definite sparse matrix by supernodes, that is, by dense blocks: CHOLMOD
 /// (Chen, Davis, Hager and Rajamanickam 2008) behind plain functions, in the better of the orders of minimum degree and
 /// of nested dissection. What fills in much, as a volume does, takes a fraction of the time that it takes entry by
-/// entry; what fills in little, as a cloth does, takes longer. In a build without CHOLMOD it is never worth while.
+/// entry; what fills in little, as a cloth does, takes longer. Where CHOLMOD is not there it is never worth while.
 class SupernodalCholesky {
  public:
   SupernodalCholesky();
@@ -17,7 +17,7 @@ class SupernodalCholesky {
   SupernodalCholesky(const SupernodalCholesky&) = delete;
   SupernodalCholesky& operator=(const SupernodalCholesky&) = delete;
 
-  /// Whether this build has CHOLMOD.
+  /// Whether CHOLMOD is there: when this was built, and on this machine.
   static bool isThere();
 
   /// Looks at the pattern; factorise() then takes any matrix that has it. Only the lower triangle of A is read, here

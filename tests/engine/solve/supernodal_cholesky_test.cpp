@@ -51,7 +51,7 @@ Vector someNumbers(Eigen::Index n) {
 class Supernodal : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!SupernodalCholesky::isThere()) GTEST_SKIP() << "this build has no CHOLMOD (libsuitesparse-dev)";
+    if (!SupernodalCholesky::isThere()) GTEST_SKIP() << "CHOLMOD is not there (libsuitesparse-dev)";
   }
 };
 
