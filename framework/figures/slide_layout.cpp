@@ -86,13 +86,12 @@ class SlideLayout {
     return static_cast<double>(panel % columns_) * (columnWidth_ + columnGap);
   }
 
-  /// A table of more rows than a slide has room for is taller than one: its names would stand in one another.
+  /// A table that is a slide's only panel, and has more rows than a slide has room for, makes it taller: its names
+  /// would stand in one another.
   void makeRoomForNames() {
-    double wanted = plotHeight_;
-    for (const Draft& draft : drafts_) {
-      wanted = std::max(wanted, nameHeight * static_cast<double>(draft.shape.y.rows));
-    }
-    height_ += static_cast<double>(rows_.size()) * (wanted - plotHeight_);
+    if (drafts_.size() != 1) return;
+    const double wanted = std::max(plotHeight_, nameHeight * static_cast<double>(drafts_[0].shape.y.rows));
+    height_ += wanted - plotHeight_;
     plotHeight_ = wanted;
   }
 
