@@ -15,6 +15,7 @@ struct AxisShape {
   AxisRange range;
   bool logarithmic = false;
   std::optional<double> names = {};  ///< width of the longest name, where names stand in place of numbers
+  std::size_t rows = 0;              ///< number of these names
 };
 
 /// What a panel asks room for.

@@ -41,8 +41,8 @@ bool standsXLabel(const Figure& figure, std::size_t index) {
 
 PanelShape shapeOf(const Figure& figure, const Panel& panel, const PanelCurves& drawn, const PanelRanges& ranges) {
   PanelShape shape;
-  shape.x = {ranges.x, hasLogX(figure, panel), widestOf(panel.xNames)};
-  shape.y = {ranges.y, panel.logY, widestOf(panel.yNames)};
+  shape.x = {ranges.x, hasLogX(figure, panel), widestOf(panel.xNames), panel.xNames.size()};
+  shape.y = {ranges.y, panel.logY, widestOf(panel.yNames), panel.yNames.size()};
   shape.equalAxes = figure.hasEqualAxes() || (figure.isSlide() && panel.equalAxes);
   shape.yLabel = widthOf(panel.yLabel);
   shape.heading = widthOf(panel.heading, headingCharacter);

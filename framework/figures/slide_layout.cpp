@@ -11,6 +11,7 @@ namespace muelle::figures {
 namespace {
 
 constexpr double slideHeight = 540;  // 16 : 9
+constexpr double nameHeight = 15;    // of a row of a table: its name, 13 px, and the gap to the next
 constexpr double columnGap = 26;
 constexpr double slideIndent = 24;  // the least room left of a y label
 constexpr double headingHeight = 26;
@@ -65,11 +66,12 @@ class SlideLayout {
     plotHeight_ = slideHeight - titleHeight;
     for (const Row& row : rows_) plotHeight_ -= row.header + row.foot;
     plotHeight_ /= static_cast<double>(rows_.size());
+    makeRoomForNames();
   }
 
   Layout layout() const {
     Layout layout;
-    layout.height = slideHeight;
+    layout.height = height_;
     double top = titleHeight;
     for (std::size_t i = 0; i < drafts_.size(); ++i) {
       const Row& row = rows_[i / columns_];
@@ -82,6 +84,15 @@ class SlideLayout {
  private:
   double columnLeft(std::size_t panel) const {
     return static_cast<double>(panel % columns_) * (columnWidth_ + columnGap);
+  }
+
+  /// A table that is a slide's only panel, and has more rows than a slide has room for, makes it taller: its names
+  /// would stand in one another.
+  void makeRoomForNames() {
+    if (drafts_.size() != 1) return;
+    const double wanted = std::max(plotHeight_, nameHeight * static_cast<double>(drafts_[0].shape.y.rows));
+    height_ += wanted - plotHeight_;
+    plotHeight_ = wanted;
   }
 
   void include(const PanelShape& shape) {
@@ -157,6 +168,7 @@ class SlideLayout {
   std::size_t columns_;
   std::vector<Row> rows_;
   double columnWidth_;
+  double height_ = slideHeight;
   double plotHeight_ = 0;
   std::vector<Draft> drafts_;
 };

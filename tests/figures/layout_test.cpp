@@ -210,6 +210,24 @@ TEST(SlideLayout, IsWideAndFilled) {
   EXPECT_DOUBLE_EQ(left.plot.width(), right.plot.width());
 }
 
+// Names are 13 px high. A table that fits is as high as every slide; a longer one is higher, and the rest stays as it
+// is.
+TEST(SlideLayout, GivesEachNameOfATableARowOfItsOwn) {
+  PanelShape table = panelWith({});
+  table.y.names = 80;
+  const auto height = [&table](std::size_t rows) {
+    table.y.rows = rows;
+    const Layout layout = layOut(slideOf(1, {table}));
+    const PanelLayout& panel = layout.panels[0];
+    EXPECT_GE(panel.plot.height() / static_cast<double>(rows), 14.0) << rows;
+    EXPECT_DOUBLE_EQ(panel.plot.top, 50 + 26 + 12) << rows;
+    EXPECT_DOUBLE_EQ(panel.plot.bottom, layout.height - 66) << rows;
+    return layout.height;
+  };
+  EXPECT_DOUBLE_EQ(height(10), 540);
+  EXPECT_GT(height(40), 540);
+}
+
 TEST(SlideLayout, KeepsItsPartsApartAndOnThePage) {
   const Layout layout = layOut(slideOf(3, crowded()));
   expectApart(layout);

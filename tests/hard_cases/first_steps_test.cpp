@@ -23,7 +23,7 @@ engine::RunOptions shortRun(const engine::MethodInfo& method, const Variant& var
   const double h = variant.steps.of(method);
   const double duration = std::min(variant.duration, steps * h);
   engine::RunOptions options =
-      method.adaptive ? withTolerance(variant.steps.tolerance, duration) : fixedStep(h, duration);
+      method.adaptive ? withTolerance(variant.steps.toleranceOf(method), duration) : fixedStep(h, duration);
   options.mostForceEvaluations = mostEvaluations;
   // Outputs between the steps, so that dense output is run, too.
   options.keepStates = true;

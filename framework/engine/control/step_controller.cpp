@@ -7,7 +7,7 @@
 namespace muelle::engine {
 
 StepController::StepController(int order, double h, double largestStep)
-    : beta_(0.2 / order), exponent_(1.0 / order - 0.75 * beta_), h_(std::min(h, largestStep)), largest_(largestStep) {}
+    : beta_(0.3 / order), exponent_(1.0 / order - 0.75 * beta_), h_(std::min(h, largestStep)), largest_(largestStep) {}
 
 void StepController::accept(double length, double error) {
   const double bounded = std::max(error, 1e-10);

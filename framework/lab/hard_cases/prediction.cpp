@@ -58,7 +58,7 @@ std::vector<std::optional<ModeForecast>> measured(const MethodInfo& method, cons
   run.duration = duration;
   run.budget = budget;
   if (method.adaptive) {
-    run.tolerance = variant.steps.tolerance;
+    run.tolerance = variant.steps.toleranceOf(method);
   } else {
     run.h = variant.steps.of(method);
   }
@@ -184,7 +184,7 @@ Outlook outlook(const MethodInfo& method, const Variant& variant, double duratio
     if (number < worst) continue;
     worst = number;
     result.text = method.adaptive ? fmt::format("tolerance {:.0e}, {:.0f} steps on the mode alone",
-                                                variant.steps.tolerance, all[i]->steps)
+                                                variant.steps.toleranceOf(method), all[i]->steps)
                                   : stepText(m, h);
   }
   if (added) result.error = std::abs(sum);
@@ -255,7 +255,7 @@ Prediction predict(const MethodInfo& method, const Variant& variant, const engin
   if (foreseen.dear) {
     return fails(Cost, std::numeric_limits<double>::infinity(),
                  fmt::format("more than {:.0e} force evaluations at tolerance {:.0e}", static_cast<double>(budget),
-                             variant.steps.tolerance));
+                             variant.steps.toleranceOf(method)));
   }
   if (foreseen.grows) return fails(Growth, grown(variant, foreseen.error), foreseen.text);
   if (foreseen.error < roundingOf(variant)) {

@@ -121,7 +121,7 @@ std::string casesSection(const Matrix& matrix) {
   std::string page =
       "\n## The cases\n\n| case | what is right | measured | steps: explicit order 1 and 2, order 4, order 8; "
       "implicit; "
-      "tolerance |\n|---|---|---|---|\n";
+      "tolerance (of order 2 its power 2/3) |\n|---|---|---|---|\n";
   for (const Variant& v : matrix.variants) {
     const auto facts = std::ranges::find(allCases(), v.id, &CaseFacts::id);
     page += fmt::format("| {} {} | {} | {} | {:.4g} s, {:.4g} s, {:.4g} s; {:.4g} s; {:.0e} |\n", v.label(),

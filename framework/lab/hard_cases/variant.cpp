@@ -3,6 +3,7 @@
 #include "lab/hard_cases/variants/families.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace muelle::hard_cases {
@@ -10,6 +11,10 @@ namespace muelle::hard_cases {
 double Steps::of(const engine::MethodInfo& method) const {
   if (method.implicit) return !method.iterative ? implicit : iterative > 0.0 ? iterative : first;
   return method.order >= 8 ? eighth : method.order >= 4 ? fourth : first;
+}
+
+double Steps::toleranceOf(const engine::MethodInfo& method) const {
+  return method.order == 2 ? std::pow(tolerance, 2.0 / 3.0) : tolerance;
 }
 
 double amplitudeFactor(double ratio) {

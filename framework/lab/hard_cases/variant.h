@@ -21,6 +21,9 @@ struct Steps {
   double iterative = 0.0;   ///< [s]; 0: as first
 
   double of(const engine::MethodInfo& method) const;
+  /// The tolerance of an adaptive method. That of one of order 2 is its power 2/3: its steps go with the root of what
+  /// it is asked for, which at 1e-14 would be ten million of them; so they go with the third root of `tolerance`.
+  double toleranceOf(const engine::MethodInfo& method) const;
 };
 
 /// Which number a cell is judged by.

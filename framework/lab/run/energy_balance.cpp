@@ -1,10 +1,9 @@
 #include "lab/run/energy_balance.h"
 
-#include "engine/analysis/amplification.h"
-#include "engine/analysis/spectrum.h"
 #include "engine/control/motion_frame.h"
 #include "engine/integrators/catalogue.h"
 #include "lab/run/deviation.h"
+#include "lab/run/energy_climb.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -69,21 +68,6 @@ double sumOfForces(const ModelSystem& system, const State& state) {
   return sum;
 }
 
-/// The factor by which the method's own energy may differ from the true one, over the modes of the system with
-/// everything closed that may close; at steps for which no mode of it is known (implicit methods) over all of them.
-double largestSwing(const ModelSystem& system, const std::string& id, const RunOptions& options) {
-  const std::unique_ptr<Integrator> method = makeMethod(id);
-  Amplification amplification(*method);
-  double swing = 1.0;
-  if (!options.fixedStep) return swing;
-  State state = system.initialState();
-  if (system.switching() != nullptr) system.switching()->close(state);
-  for (const Mode& mode : extremeModes(LinearisedSystem(system, state))) {
-    if (mode.stiffness > 0.0) swing = std::max(swing, amplification.energySwing(options.h * mode.frequency()));
-  }
-  return swing;
-}
-
 /// Below this share of the scale a loss is not worth a line.
 constexpr double toldLoss = 1e-4;
 
@@ -97,28 +81,22 @@ std::optional<StabilityFunctionLoss> linearLoss(const ModelSystem& system, const
   return loss.factor < 1.0 - rounding ? std::optional(loss) : std::nullopt;
 }
 
-/// The highest energy at an end of a step up to `until` [s], less the start's; what is beyond `enough` [J] is enough.
-double highestAtSteps(const ModelSystem& system, const std::string& id, const StepOptions& options, double until,
-                      double enough) {
-  const std::unique_ptr<Integrator> method = makeMethod(id);
-  Simulation simulation(system, *method, system.initialState(), options);
-  const double start = system.totalEnergy(simulation.state());
-  double highest = 0.0;
-  while (highest <= enough && simulation.time() < until && simulation.advance().goesOn()) {
-    highest = std::max(highest, system.totalEnergy(simulation.state()) - start);
-  }
-  return highest;
-}
-
-/// A run is judged by where its steps end: a gain that only interpolated outputs show is none of the motion's.
+/// A run is judged by where its steps end: a gain that only interpolated outputs show is none of the motion's, and one
+/// that is put together of what the method's own energies allow at switches is none of an unstable step's.
 void judgeAtSteps(const ModelSystem& system, const std::string& method, const RunOptions& options,
-                  const RunResult& result, EnergyBalance& balance) {
-  if (!balance.fails() || options.outputInterval == 0.0) return;
-  const double enough = std::max(mostGain * balance.scale, balance.allowed);
-  const double highest = highestAtSteps(system, method, options, result.trajectory.t.back(), enough);
-  if (highest > enough) return;
-  balance.interpolated = balance.highest;
-  balance.highest = highest;
+                  const RunResult& result, const OwnEnergy& own, EnergyBalance& balance) {
+  if (!balance.fails()) return;
+  const bool interpolated = options.outputInterval != 0.0, switches = own.stable && system.switching() != nullptr;
+  if (!interpolated && !switches) return;
+  const EnergyClimb climb =
+      energyClimb(system, method, options, result.trajectory.t.back(), balance.scale, mostGain * balance.scale, own);
+  balance.allowed = climb.allowed;
+  if (climb.highest > climb.allowed) {
+    balance.highest = std::max(balance.highest, climb.highest);
+  } else if (balance.highest > climb.highest && interpolated) {
+    balance.interpolated = balance.highest;
+    balance.highest = climb.highest;
+  }
 }
 
 }  // namespace
@@ -177,9 +155,10 @@ EnergyBalance energyBalance(const ModelSystem& system, const std::string& method
     balance.lowest = std::min(balance.lowest, energy - E.front());
   }
   if (balance.fate != EnergyFate::Open && balance.highest > mostGain * balance.scale) {
-    balance.allowed = (largestSwing(system, method, options) - 1.0) * balance.scale;
+    const OwnEnergy own = ownEnergy(system, method, options);
+    balance.allowed = (own.swing - 1.0) * balance.scale;
+    judgeAtSteps(system, method, options, result, own, balance);
   }
-  judgeAtSteps(system, method, options, result, balance);
   if (balance.fate != EnergyFate::Open && -balance.end > toldLoss * balance.scale) {
     balance.linearLoss = linearLoss(system, method, options);
   }

@@ -9,6 +9,7 @@
 #include "lab/run/error_estimate.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <array>
 #include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
@@ -73,7 +74,7 @@ TEST(SlidingFriction, IsInsideTheErrorControl) {
   const State start = system->initialState();
   const Vec3 origin = system->position(start, 0);
   const double size = std::hypot(exact[0], exact[1]);
-  for (const char* id : {"dop853", "dormand_prince_5"}) {
+  for (const char* id : {"dop853", "dormand_prince_5", "esdirk4", "tr_bdf2", "rkc2"}) {
     for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
       RunOptions options;
       options.duration = duration;
@@ -109,14 +110,16 @@ TEST(SlidingFriction, ComesToRestWithEveryMethod) {
     const Vec3 way = system->position(result.last, 0) - origin;
     return std::hypot(way.dot(down) - exact[0], way[1] - exact[1]) / size;
   };
-  for (const char* id : {"dop853", "dormand_prince_5", "esdirk4", "tr_bdf2"}) {
+  for (const char* id : {"dop853", "dormand_prince_5", "esdirk4", "tr_bdf2", "rkc2"}) {
     for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
       RunOptions options;
       options.duration = duration;
       options.tolerance.relative = tolerance;
-      // Of order 2, a tolerance of the third order of the step: errors go as its power 2/3.
-      const double most = id == std::string("tr_bdf2") ? 2.0 * std::pow(tolerance, 2.0 / 3.0) : 10.0 * tolerance;
-      EXPECT_LE(off(id, options), most) << id << " at " << tolerance;
+      // The direction of a slip turns by up to a right angle within the step that ends it. What speed that leaves
+      // swings on the slider's spring, once to each side: of tr_bdf2 2e-6 m/s, 2 v sqrt(m / k) = 4e-8 m of 0.09, at any
+      // tolerance.
+      const double swing = id == std::string("tr_bdf2") ? 5e-7 : 0.0;
+      EXPECT_LE(off(id, options), std::max(10.0 * tolerance, swing)) << id << " at " << tolerance;
     }
   }
   for (const char* id :

@@ -22,8 +22,6 @@ struct Problem {
   double duration;
 };
 
-/// Not H14 and H12's swing, where errors of one sign take away what others have left: nystrom12 is there up to 16 times
-/// worse than at a looser tolerance, rkc2 8 times, dop853 9 times.
 std::vector<Problem> smoothProblems() {
   return {{"oscillator, 100 periods", hard_cases::oscillator(100.0), 20.0 * 3.14159265358979},
           {"elastic pendulum", hard_cases::regularPendulum(), 10.0},
@@ -34,6 +32,8 @@ std::vector<Problem> smoothProblems() {
           {"mean height", hard_cases::meanHeight(10), 1.0},
           {"vibrating dumbbell", hard_cases::vibratingDumbbell(), 1.0},
           {"chain with a wave along", hard_cases::longitudinalChain(), 1.0},
+          {"buckling", hard_cases::buckling(100.0, 1e-6), 3.0},
+          {"heavy swing", hard_cases::heavySwing(), 1.0},
           {"inverted triangle", hard_cases::invertedTriangle(100.0), 1.0},
           {"stiff drag", hard_cases::stiffDrag(), 1e-2}};
 }
@@ -46,17 +46,15 @@ std::vector<std::string> adaptiveMethods() {
   return ids;
 }
 
-/// Below it there are too many steps for a test.
-double leastTolerance(const MethodInfo& info) {
-  if (info.implicit) return info.order < 4 ? 1e-6 : 1e-8;
-  return info.order < 4 ? 1e-8 : 0.0;
+/// Below it there are too many steps for a test. (On the heavy swing a method resolves a vibration of 14142/s.)
+double leastTolerance(const MethodInfo& info, const Problem& problem) {
+  const bool fast = problem.name == std::string("heavy swing");
+  if (info.implicit) return info.order < 4 ? fast ? 1e-5 : 1e-6 : 1e-8;
+  return info.order < 4 ? fast ? 1e-5 : 1e-8 : 0.0;
 }
 
-/// How many times the least error of all looser tolerances an error may be. One case is known to be worse: whether the
-/// dead band keeps a step hangs on last digits, and nystrom12 has a lucky 3e-9 between 7e-8 and 2e-8.
-double mostGrowth(const std::string& id, const std::string& problem) {
-  return id == "nystrom12" && problem == "mean height" ? 7.5 : 5.0;
-}
+/// How many times the least error of all looser tolerances an error may be.
+constexpr double mostGrowth = 5.0;
 
 class Sweep : public ::testing::TestWithParam<std::string> {};
 
@@ -71,10 +69,10 @@ TEST_P(Sweep, ATighterToleranceNeverCostsAccuracy) {
     double least = std::numeric_limits<double>::infinity();
     for (int i = 4; i <= 22; ++i) {
       const double tolerance = std::pow(10.0, -0.5 * i);
-      if (tolerance < leastTolerance(info)) break;
+      if (tolerance < 0.99 * leastTolerance(info, problem)) break;
       const double error = errorOver(*system, runAtTolerance(*system, GetParam(), tolerance, problem.duration), exact);
       if (error > 1e-11) {
-        EXPECT_LE(error, mostGrowth(info.id, problem.name) * least) << problem.name << " at tolerance " << tolerance;
+        EXPECT_LE(error, mostGrowth * least) << problem.name << " at tolerance " << tolerance;
       }
       least = std::min(least, error);
       if (std::getenv("MUELLE_SHOW") != nullptr)

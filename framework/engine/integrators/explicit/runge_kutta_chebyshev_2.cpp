@@ -46,7 +46,7 @@ class RungeKuttaChebyshev2 : public Integrator {
   }
 
   void prepare(const DynamicalSystem& system, const Tolerance& tolerance) override {
-    tolerance_ = tolerance;
+    allowed_ = stepTolerance(tolerance.relative, info().order, errorPower);
     const auto n = static_cast<std::size_t>(system.storage());
     size_ = n;
     for (std::vector<double>* array : {&start_, &end_, &x1_, &v1_, &x2_, &v2_, &a_}) array->assign(n, 0.0);
@@ -88,6 +88,7 @@ class RungeKuttaChebyshev2 : public Integrator {
   }
 
  private:
+  static constexpr int errorPower = 3;     // of h, by which the estimate falls
   static constexpr int mostStages = 4000;  // round-off grows with their square: 1e-9 of the step's change here
 
   void evaluate(const DynamicalSystem& system, double t, In x, In v, In z, std::vector<double>& a) {
@@ -154,22 +155,22 @@ class RungeKuttaChebyshev2 : public Integrator {
     }
   }
 
-  /// 0.8 (y_n - y_n+1) + 0.4 h (y'_n + y'_n+1).
+  /// 0.8 (y_n - y_n+1) + 0.4 h (y'_n + y'_n+1) over what is allowed, to the power at which it falls with h^2.
   double error(std::span<const double> inverseMass, const State& from, const State& to, double h) const {
     double largest = 0.0;
     const auto look = [&](double y0, double y1, double slopes, double scale) {
       const double estimate = 0.8 * (y0 - y1) + 0.4 * h * slopes;
-      largest = larger(largest, errorRatio(estimate, y0, y1, tolerance_.relative * scale));
+      largest = larger(largest, errorRatio(estimate, y0, y1, allowed_ * scale));
     };
     for (std::size_t i = 0; i < size_; ++i) {
       if (inverseMass[i] == 0.0) continue;  // moved
       look(from.x[i], to.x[i], from.v[i] + to.v[i], errorScale_.position);
       look(from.v[i], to.v[i], start_[i] + end_[i], errorScale_.velocity);
     }
-    return largest;
+    return std::pow(largest, 2.0 / errorPower);
   }
 
-  Tolerance tolerance_;
+  double allowed_ = 1e-6;  // of the estimate, in parts of the motion
   std::size_t size_ = 0;
   std::vector<double> start_, end_;  // accelerations at the ends of the step
   std::vector<double> x1_, v1_, x2_, v2_, a_;

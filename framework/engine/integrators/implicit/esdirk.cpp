@@ -19,7 +19,7 @@ Esdirk::Esdirk(MethodInfo info, EsdirkTableau tableau)
 
 void Esdirk::prepare(const DynamicalSystem& system, const Tolerance& tolerance) {
   ImplicitMethod::prepare(system, tolerance);
-  allowed_ = tolerance;
+  allowed_ = stepTolerance(tolerance.relative, info_.order, tableau_.errorPower);
   const auto n = static_cast<Eigen::Index>(system.size());
   dvs_.assign(c_.size(), Vector::Zero(n));
   as_.assign(c_.size(), Vector::Zero(n));
@@ -101,7 +101,7 @@ double Esdirk::error(const DynamicalSystem& system, const State& from, double h)
 }
 
 double Esdirk::overTolerance(const State& from) const {
-  const double position = allowed_.relative * errorScale_.position, velocity = allowed_.relative * errorScale_.velocity;
+  const double position = allowed_ * errorScale_.position, velocity = allowed_ * errorScale_.velocity;
   return larger(largestErrorRatio(spanOf(errorX_), from.x, pendingEnd_.x, position),
                 largestErrorRatio(spanOf(errorV_), from.v, pendingEnd_.v, velocity));
 }

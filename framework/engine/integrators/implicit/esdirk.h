@@ -11,7 +11,7 @@ struct EsdirkTableau {
   double diagonal = 0.0;
   std::vector<std::vector<double>> a;  ///< row i: weights of stages 0 .. i-1; row 0 is empty, the last row is the step
   std::vector<double> error;           ///< weights of the step minus those of the embedded one; one a stage, sum 0
-  int errorPower = 0;                  ///< the estimate falls with this power of h
+  int errorPower = 0;                  ///< the estimate falls with this power of h; see stepTolerance()
 };
 
 /// Steps of an ESDIRK method on M v' = F(t, x, v). Each stage is eliminated to one equation in n unknowns,
@@ -41,7 +41,7 @@ class Esdirk : public ImplicitMethod {
 
   EsdirkTableau tableau_;
   std::vector<double> c_;  ///< times of the stages, in steps
-  Tolerance allowed_;
+  double allowed_ = 1e-6;  ///< of the estimate, in parts of the motion
   bool known_ = false;
   State end_, pendingEnd_;
   std::vector<Vector> dvs_;  ///< change of velocity up to each stage [m/s]

@@ -30,6 +30,14 @@ inline double larger(double a, double b) { return std::isnan(a) || a > b ? a : b
 /// The largest errorRatio() of an estimate; not a number where one is none.
 double largestErrorRatio(In estimate, In from, In to, double allowed);
 
+/// What a step's estimate of the order h^`power` may be, in parts of the motion, so that a run's error goes with the
+/// tolerance. Most estimates are of the power p of a method of order p (of what a lower order would have left), and so
+/// is a run's error. An estimate of the result's own error is of the power p + 1: bounded by the tolerance T itself it
+/// lets h go with T^(1/(p+1)), and the error with T^(p/(p+1)). Bounded by T^((p+1)/p) it makes h^p go with T.
+inline double stepTolerance(double tolerance, int order, int power) {
+  return power > order ? std::pow(tolerance, static_cast<double>(power) / order) : tolerance;
+}
+
 /// Gives `to` the sizes and z of `from`.
 void takeSizes(const State& from, State& to);
 
