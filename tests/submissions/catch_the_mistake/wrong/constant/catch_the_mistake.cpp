@@ -1,4 +1,4 @@
-// loses: all; misconception: accepts_all or constant
+// loses: all; misconception: accepts_all
 #include "catch_the_mistake.h"
 
 bool isSpringForceRight(const SpringForce&) { return true; }

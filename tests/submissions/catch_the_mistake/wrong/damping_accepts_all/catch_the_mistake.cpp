@@ -1,4 +1,4 @@
-// loses: DampingValues, DampingDirections, DampingEdges, EveryRightOne, ItThrew; misconception: accepts_all or constant
+// loses: DampingValues, DampingDirections, DampingEdges, EveryRightOne, ItThrew; misconception: accepts_all
 #include "catch_the_mistake.h"
 
 struct Examiner {

@@ -1,4 +1,4 @@
-// loses: ForceValues, ForceSides, ForceEdges, EveryRightOne, ItThrew; misconception: accepts_all or constant
+// loses: ForceValues, ForceSides, ForceEdges, EveryRightOne, ItThrew; misconception: accepts_all
 // thought: the stub, left as it was
 #include "catch_the_mistake.h"
 
