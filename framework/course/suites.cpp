@@ -20,7 +20,7 @@ std::vector<std::string> namesOf(const std::vector<TestSuite>& suites) {
   return names;
 }
 
-void append(std::vector<std::string>& lines, const std::vector<std::string>& more) {
+void addTo(std::vector<std::string>& lines, const std::vector<std::string>& more) {
   lines.insert(lines.end(), more.begin(), more.end());
 }
 
@@ -85,7 +85,7 @@ std::vector<std::string> disagreements(const Manifest& manifest, const std::vect
     lines.push_back(fmt::format("{}: criterion {} has no suite in {}; write TEST({}, ...), or take the criterion out{}",
                                 manifestName, suite, sourceName, suite, didYouMean(suite, known)));
   }
-  append(lines, ofSuites(manifest, suites, manifestName, sourceName));
+  addTo(lines, ofSuites(manifest, suites, manifestName, sourceName));
   return lines;
 }
 
@@ -100,10 +100,10 @@ std::string firstDisagreement(const std::filesystem::path& checkout, const Manif
   const std::string hiddenTests = fmt::format("tests/hidden/{0}/{0}_test.cpp", manifest.topic);
   std::vector<std::string> lines;
   if (const auto source = tryReadFile(checkout / hiddenTests)) {
-    append(lines, disagreements(manifest, suitesInSource(*source), manifestName, hiddenTests));
+    addTo(lines, disagreements(manifest, suitesInSource(*source), manifestName, hiddenTests));
   }
   if (const auto source = tryReadFile(checkout / publicTests)) {
-    append(lines, publicDisagreements(manifest, suitesInSource(*source), manifestName, publicTests));
+    addTo(lines, publicDisagreements(manifest, suitesInSource(*source), manifestName, publicTests));
   }
   return lines.empty() ? "" : lines.front();
 }

@@ -173,7 +173,11 @@ TEST(DeclaredTimes, AnUnannouncedForceIsRefusedWithoutALargestStep) {
   EXPECT_THROW(simulate(mass, *method, ballsAt({0.0}), options), std::invalid_argument);
   options.largestStep = 5e-4;
   const RunResult run = simulate(mass, *method, ballsAt({0.0}), options);
-  EXPECT_NEAR(run.last.x[0], 0.9995, 1e-6) << "the error estimate sees the jump and closes in on it";
+  // An acceleration a that sets in at the share s of a step makes v wrong by h a |B - (1 - s)|, B the sum of the
+  // weights of the stages behind it; the estimate, which the tolerance of 1e-6 bounds, is h a times the sum of these
+  // less the embedded weights. Where s is 3/4 that is 7/36 and 1/72, 14 times less; elsewhere it is nearer. Two jumps,
+  // then 1 s.
+  EXPECT_NEAR(run.last.x[0], 0.9995, 2 * 14e-6) << "the error estimate sees the jump and closes in on it";
 }
 
 TEST(DeclaredTimes, WithoutEventsARunOfFixedStepsSaysThatItStepsOverThem) {

@@ -258,7 +258,8 @@ TEST_P(Every, InterpolatesAtItsOrder) {
   EXPECT_LT(distance(end, to), order > 8 ? 2e-14 : 4e-15);
 }
 
-// The estimate is of the embedded order, and bounds the true local error where it is small.
+// The estimate is of the embedded order, and bounds the true local error where it is small. (That of a Chebyshev step
+// is of h^3, and is told as its power 2/3: see stepTolerance().)
 TEST(ErrorEstimate, FollowsTheErrorAndBoundsIt) {
   struct Case {
     Make make;
@@ -267,7 +268,7 @@ TEST(ErrorEstimate, FollowsTheErrorAndBoundsIt) {
   };
   const Pendulum system;
   for (const Case& c : {Case{dormandPrince5, 0.05, 5}, Case{dop853, 0.1, 8}, Case{rkn64, 0.1, 5},
-                        Case{nystrom8, 0.2, 7}, Case{nystrom12, 0.25, 11}, Case{rungeKuttaChebyshev2, 0.01, 3}}) {
+                        Case{nystrom8, 0.2, 7}, Case{nystrom12, 0.25, 11}, Case{rungeKuttaChebyshev2, 0.01, 2}}) {
     const auto method = c.make();
     EXPECT_TRUE(method->info().adaptive);
     method->prepare(system, {.relative = 1.0});
@@ -283,7 +284,8 @@ TEST(ErrorEstimate, FollowsTheErrorAndBoundsIt) {
 }
 
 // It is measured in parts of the motion's size, in units of the tolerance. What rounding alone may make of an estimate,
-// 4 ulp of a state of size 1, adds 1e-15 to the 1e-6 that is allowed: 1e-9 of the ratio.
+// 4 ulp of a state of size 1, adds 1e-15 to the 1e-6 that is allowed: 1e-9 of the ratio. A Chebyshev step's estimate
+// may be 1e-9 at this tolerance, of which that is 1e-6, and is told as its power 2/3: see stepTolerance().
 TEST(ErrorEstimate, IsInPartsOfTheMotionAndOfTheTolerance) {
   const Pendulum system;
   for (const Make make : {dormandPrince5, dop853, rkn64, nystrom8, nystrom12, rungeKuttaChebyshev2}) {
@@ -294,8 +296,12 @@ TEST(ErrorEstimate, IsInPartsOfTheMotionAndOfTheTolerance) {
       method->prepare(system, {.relative = tolerance});
       return method->step(system, start, 0.1, to).error;
     };
-    EXPECT_NEAR(error(1e-6, {1.0, 1.0}) / error(1e-3, {1.0, 1.0}), 1e3, 1e-5) << method->info().name;
-    EXPECT_NEAR(error(1e-6, {1.0, 1.0}) / error(1e-6, {1e3, 1e3}), 1e3, 1e-5) << method->info().name;
+    const bool isOwnError = make == Make(rungeKuttaChebyshev2);
+    const double power = isOwnError ? 2.0 / 3.0 : 1.0, rounding = isOwnError ? 1e-6 : 1e-8;
+    const double tighter = error(1e-6, {1.0, 1.0}) / error(1e-3, {1.0, 1.0});
+    const double smaller = error(1e-6, {1.0, 1.0}) / error(1e-6, {1e3, 1e3});
+    EXPECT_NEAR(tighter / 1e3, 1.0, rounding) << method->info().name;
+    EXPECT_NEAR(smaller / std::pow(1e3, power), 1.0, rounding) << method->info().name;
     const double positions = error(1e-6, {1.0, HUGE_VAL}), velocities = error(1e-6, {HUGE_VAL, 1.0});
     EXPECT_GT(positions, 0.0) << method->info().name;
     EXPECT_GT(velocities, 0.0) << method->info().name;

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <numbers>
+#include <string>
 
 namespace muelle::engine {
 namespace {
