@@ -37,6 +37,7 @@ function(muelle_link_engine_if_asked target source)
   file(STRINGS ${source} includes REGEX "^#include \"engine/")
   if(includes)
     target_link_libraries(${target} PRIVATE muelle_engine)
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:muelle_engine_opens_nothing>)  # a hand-in's objects least of all
   endif()
 endfunction()
 

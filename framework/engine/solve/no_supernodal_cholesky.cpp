@@ -1,5 +1,5 @@
 /// \file
-/// SupernodalCholesky in a build without CHOLMOD.
+/// SupernodalCholesky without CHOLMOD: where that is not installed, and in programs that must open no library.
 
 #include "engine/solve/supernodal_cholesky.h"
 
