@@ -1,4 +1,4 @@
-// loses: CalcForce, Scatter, BothAlike, AtRest; misconception: constant or force_left_before
+// loses: CalcForce, Scatter, BothAlike, AtRest; misconception: nothing_written or force_left_before
 // A local variable has the name of the member.
 #include "nodes_and_springs.h"
 
