@@ -1,4 +1,4 @@
-// loses: ForceValues, ForceSides, ForceEdges, EveryRightOne, ItThrew; misconception: refuses_all
+// loses: EveryRightOne; misconception: none
 // Compares forces within a millionth of a newton, however stiff the spring is: right ones are refused.
 #include "catch_the_mistake.h"
 
