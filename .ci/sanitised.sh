@@ -4,7 +4,7 @@
 # first and one that changes: the programs of each take a minute and a half of processor time to compile. The matrix is
 # no news here: it runs the programs that the rest tests, and workers that have no sanitizers. Long studies (convergence,
 # peers, whole hard cases) are not built, see MUELLE_ASAN in the CMake files: of the hard cases the first steps of every
-# method run, of the figures the numbers. A bare root has no sanitizer's library, and its shadow memory does not fit below
+# method run, of the figures the numbers; the sweeps over tolerances, a quarter of an hour, with --all alone. A bare root has no sanitizer's library, and its shadow memory does not fit below
 # a limit of memory (app.run_command).
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -22,7 +22,7 @@ case $((number % 11)) in
   6) rooms="harness figures" ;;
   7) rooms="grader" parts="$grading" which=(--label-regex 'hostile') ;;
   8) rooms="lab" which=(--tests-regex '^lab[.]run[.]ErrorStudy') ;;
-  9) rooms="lab" which=(--exclude-regex '^lab[.]run[.]ErrorStudy') ;;
+  9) rooms="lab" which=(--exclude-regex '^lab[.]run[.](ErrorStudy|Adaptive/Sweep)') ;;
   10) rooms="plots" parts="muelle-figures" ;;
 esac
 topics=(exercises/*/)
