@@ -4,8 +4,8 @@
 # first and one that changes: the programs of each take a minute and a half of processor time to compile. The matrix is
 # no news here: it runs the programs that the rest tests, and workers that have no sanitizers. Long studies (convergence,
 # peers, whole hard cases) are not built, see MUELLE_ASAN in the CMake files: of the hard cases the first steps of every
-# method run, of the figures the numbers; the sweeps over tolerances, a quarter of an hour, with --all alone. A bare root has no sanitizer's library, and its shadow memory does not fit below
-# a limit of memory (app.run_command).
+# method run, of the figures the numbers; the sweeps over tolerances, a quarter of an hour, with --all alone. A bare root
+# has no sanitizer's library, and its shadow memory does not fit below a limit of memory (app.run_command).
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 # Rooms, what their tests start besides, and which tests, by the number of the commit.
