@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace muelle {
 
@@ -18,10 +19,6 @@ std::vector<std::string> namesOf(const std::vector<TestSuite>& suites) {
   std::vector<std::string> names;
   for (const TestSuite& suite : suites) names.push_back(suite.name);
   return names;
-}
-
-void addTo(std::vector<std::string>& lines, const std::vector<std::string>& more) {
-  lines.insert(lines.end(), more.begin(), more.end());
 }
 
 /// Suites that no criterion names, and suites of which no test runs.
@@ -85,7 +82,7 @@ std::vector<std::string> disagreements(const Manifest& manifest, const std::vect
     lines.push_back(fmt::format("{}: criterion {} has no suite in {}; write TEST({}, ...), or take the criterion out{}",
                                 manifestName, suite, sourceName, suite, didYouMean(suite, known)));
   }
-  addTo(lines, ofSuites(manifest, suites, manifestName, sourceName));
+  std::ranges::copy(ofSuites(manifest, suites, manifestName, sourceName), std::back_inserter(lines));
   return lines;
 }
 
@@ -98,14 +95,15 @@ std::string firstDisagreement(const std::filesystem::path& checkout, const Manif
   const std::string manifestName = fmt::format("exercises/{}/exercise.toml", manifest.topic);
   const std::string publicTests = fmt::format("exercises/{}/public_test.cpp", manifest.topic);
   const std::string hiddenTests = fmt::format("tests/hidden/{0}/{0}_test.cpp", manifest.topic);
-  std::vector<std::string> lines;
   if (const auto source = tryReadFile(checkout / hiddenTests)) {
-    addTo(lines, disagreements(manifest, suitesInSource(*source), manifestName, hiddenTests));
+    const auto lines = disagreements(manifest, suitesInSource(*source), manifestName, hiddenTests);
+    if (!lines.empty()) return lines.front();
   }
   if (const auto source = tryReadFile(checkout / publicTests)) {
-    addTo(lines, publicDisagreements(manifest, suitesInSource(*source), manifestName, publicTests));
+    const auto lines = publicDisagreements(manifest, suitesInSource(*source), manifestName, publicTests);
+    if (!lines.empty()) return lines.front();
   }
-  return lines.empty() ? "" : lines.front();
+  return "";
 }
 
 }  // namespace muelle
