@@ -9,16 +9,19 @@
 
 namespace muelle::engine {
 
+namespace {
+
+template <int D>
+void addIn(Builder& builder, const std::vector<ModelAngle>& angles) {
+  addElements<D, Angle<D>>(builder, angles, [](const ModelAngle& e, const std::array<int, 3>& nodes) {
+    return Angle<D>{nodes, e.k, e.theta0};
+  });
+}
+
+}  // namespace
+
 void ModelAngle::addTo(Builder& builder, const std::vector<ModelAngle>& angles) {
-  if (builder.dimension() == 2) {
-    addElements<2, Angle<2>>(builder, angles, [](const ModelAngle& e, const std::array<int, 3>& nodes) {
-      return Angle<2>{nodes, e.k, e.theta0};
-    });
-  } else {
-    addElements<3, Angle<3>>(builder, angles, [](const ModelAngle& e, const std::array<int, 3>& nodes) {
-      return Angle<3>{nodes, e.k, e.theta0};
-    });
-  }
+  builder.dimension() == 2 ? addIn<2>(builder, angles) : addIn<3>(builder, angles);
 }
 
 std::optional<ElementSingularity> ModelAngle::singularity(int dimension, const std::vector<Vec3>& places) const {
