@@ -87,8 +87,9 @@ struct LinearSolver::Parts {
   SparseLdlt ldlt{SparseLdlt::Order::LeastFill};
   Eigen::SparseLU<Sparse> lu;
   SupernodalCholesky supernodal;
-  bool isSupernodal = false;  // worth while for the pattern of that name
-  Pattern ldltPattern, supernodalPattern, luPattern;
+  bool isSupernodal = false;    // worth while for the symmetric pattern
+  bool isLdltAnalysed = false;  // for it, too
+  Pattern symmetricPattern, luPattern;
   Matrix U, AinvU;  // the columns of the low-rank part that count, and A^-1 of them
   Vector s;
   Eigen::PartialPivLU<Matrix> capacitance;
@@ -106,10 +107,8 @@ struct LinearSolver::Parts {
   }
 
   bool factoriseLDLT(const Sparse& A, Factorisation& result) {
-    if (!ldltPattern.fits(A)) {
-      ldlt.analyse(A);
-      ldltPattern.keep(A);
-    }
+    if (!isLdltAnalysed) ldlt.analyse(A);
+    isLdltAnalysed = true;
     if (!ldlt.factorise(A)) {
       // How many more vanish is not known.
       result.vanishing = 1;
@@ -120,14 +119,18 @@ struct LinearSolver::Parts {
     return result.vanishing == 0;
   }
 
+  bool factoriseSymmetric(const Sparse& A, Factorisation& result) {
+    constexpr Eigen::Index fewest = 1000;  // unknowns, below which nothing fills in enough for supernodes
+    if (!symmetricPattern.fits(A)) {
+      isSupernodal = A.rows() >= fewest && supernodal.analyse(A);
+      isLdltAnalysed = false;
+      symmetricPattern.keep(A);
+    }
+    return factoriseSupernodal(A, result) || factoriseLDLT(A, result);
+  }
+
   /// Of positive definite matrices alone, and where it is the faster one; what it refuses goes to LDLT, which counts.
   bool factoriseSupernodal(const Sparse& A, Factorisation& result) {
-    constexpr Eigen::Index fewest = 1000;  // unknowns, below which nothing fills in enough
-    if (A.rows() < fewest) return false;
-    if (!supernodalPattern.fits(A)) {
-      isSupernodal = supernodal.analyse(A);
-      supernodalPattern.keep(A);
-    }
     if (!isSupernodal || !supernodal.factorise(A)) return false;
     Factorisation found;
     countPivots(supernodal.pivots(), supernodal.inPivotOrder(columnSizes(A)), found);
@@ -256,7 +259,7 @@ Factorisation LinearSolver::factorise(const SystemMatrix& J, bool onlyDefinite) 
     if (!done) result.failure = fmt::format("the matrix is singular: {} vanishing pivots", result.vanishing);
   } else {
     p.norm = infinityNorm(A);
-    if (J.symmetric) done = p.factoriseSupernodal(A, result) || p.factoriseLDLT(A, result);
+    if (J.symmetric) done = p.factoriseSymmetric(A, result);
     const bool givenUp = onlyDefinite && J.symmetric && J.lowRank.empty() && (!done || result.negative > 0);
     if (!done && !givenUp) done = p.factoriseLU(A, result);
   }
