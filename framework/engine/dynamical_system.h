@@ -26,9 +26,15 @@ class DynamicalSystem : public muelle::DynamicalSystem {
   virtual std::span<const double> inverseMass() const;
   /// Overwrites a with F/m [m/s^2], 0 in lanes that are no unknowns.
   virtual void acceleration(double t, In x, In v, In z, Out a) const;
+  /// Whether place() writes anything.
+  virtual bool movesNodes() const { return true; }
   /// Writes the lanes of moved nodes, which are functions of t. Whoever makes an x or v for a time (a stage, the end of
   /// a step) places them before it goes into a force; a state that was committed is placed.
   virtual void place(double /*t*/, In /*z*/, Out /*x*/, Out /*v*/) const {}
+
+  /// The accelerations [m/s^2] by lanes of free flight, the same wherever it is: where the internal variables say that
+  /// nothing but a uniform field acts, until one of them changes. Empty where anything else does, or may.
+  virtual In flight(In /*z*/) const { return {}; }
 
   /// Length of the internal variables z.
   virtual int internalSize() const { return 0; }

@@ -64,6 +64,11 @@ class Integrator {
   /// been committed already.
   virtual void interpolate(const DynamicalSystem& system, const State& from, const State& to, double theta, State& out);
 
+  /// The same as roughly as will do to look where an event may be, for two force evaluations a step at most.
+  virtual void sketch(const DynamicalSystem& system, const State& from, const State& to, double theta, State& out) {
+    interpolate(system, from, to, theta, out);
+  }
+
   /// What the tolerance is a part of, from the next step on. Without a call 1 m and 1 m/s.
   void measureErrorsBy(const ErrorScale& scale) { errorScale_ = scale; }
 

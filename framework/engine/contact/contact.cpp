@@ -197,6 +197,14 @@ void Contact<D, Shape>::declaredTimes(double from, double to, std::vector<double
 }
 
 template <int D, class Shape>
+bool Contact<D, Shape>::isOff(const double* z) const {
+  for (int node = 0; node < nodes(); ++node) {
+    if (*own(node, z) != mode::open) return false;
+  }
+  return true;
+}
+
+template <int D, class Shape>
 bool Contact<D, Shape>::commit(const Configuration& at, bool frozen, double* z) const {
   atRest_.clear();
   bool changed = false;

@@ -93,6 +93,7 @@ class Contact final : public ForceBatch,
   std::string guardName(int i) const override;
   std::string eventName(int guard, const double* z) const override;
   void declaredTimes(double from, double to, std::vector<double>& times) const override;
+  bool isOff(const double* z) const override;
   bool commit(const Configuration& at, bool frozen, double* z) const override;
   bool wantsBalance() const override { return !atRest_.empty(); }
   bool balance(const Configuration& at, const double* f, double* z) const override;

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace muelle::engine {
 
 namespace {
 
 constexpr int samples = 8;
+constexpr std::size_t mostSamples = 32;
+constexpr int mostReorderings = 8;
 
 int signOf(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
 
@@ -25,17 +28,11 @@ void moveAlong(const State& state, double dt, const std::vector<double>& acceler
 
 }  // namespace
 
-EventLocator::EventLocator(const DynamicalSystem& system, Integrator& method, Stepper& stepper)
-    : system_(system), switching_(*system.switching()), method_(method), stepper_(stepper) {
+EventLocator::EventLocator(const DynamicalSystem& system, Stepper& stepper)
+    : system_(system), switching_(*system.switching()), stepper_(stepper) {
   const auto count = static_cast<std::size_t>(switching_.guardCount());
   side_.assign(count, 0);
   for (std::vector<double>* numbers : {&values_, &atFrom_, &atTo_, &slopeFrom_, &slopeTo_}) numbers->assign(count, 0.0);
-}
-
-/// The state inside the step from `from` to `to`, in inside_.
-void EventLocator::look(const State& from, const State& to, double theta) {
-  method_.interpolate(system_, from, to, theta, inside_);
-  system_.place(inside_.t, inside_.z, inside_.x, inside_.v);
 }
 
 const std::vector<double>& EventLocator::guards(const State& state) {
@@ -105,15 +102,15 @@ void EventLocator::slopes(const State& state, const State& from, const State& to
     inside_.x[i] += dt * (state.v[i] + 0.5 * dt * a);
     inside_.v[i] += dt * a;
   }
-  const std::vector<double> here = guards(state);
+  out = guards(state);
   guards(inside_);
-  for (std::size_t i = 0; i < here.size(); ++i) out[i] = (values_[i] - here[i]) / dt;
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = (values_[i] - out[i]) / dt;
 }
 
 /// Whether a guard with the same sign at both ends could be 0 in between: the cubic through values and slopes stays
 /// within (|slope0| + |slope1|) h / 4 of its ends; twice that, to be safe.
 bool EventLocator::mayCrossTwice(const State& from, const State& to) {
-  const double h = to.t - from.t;
+  const double h = stepLength_ = to.t - from.t;
   atFrom_ = guards(from);
   slopes(from, from, to, 1.0, slopeFrom_);
   slopes(to, from, to, -1.0, slopeTo_);
@@ -125,58 +122,134 @@ bool EventLocator::mayCrossTwice(const State& from, const State& to) {
   return false;
 }
 
-bool EventLocator::scan(const State& from, const State& to) {
+/// Keeps what is beyond at the end of a part of the step.
+void EventLocator::seeBeyond(const State& state, const std::vector<double>& values, double low, double high) {
+  scanLow_ = low;
+  scanHigh_ = high;
+  scanChanged_.clear();
+  for (std::size_t i = 0; i < side_.size(); ++i) {
+    if (isBeyond(static_cast<int>(i), values[i])) scanChanged_.push_back(static_cast<int>(i));
+  }
+  beyond_ = state;
+}
+
+/// When to look: evenly, and where a guard that turns back inside the step is farthest out, if it may be beyond there:
+/// by the parabola through its values and slopes, which in free flight is exact for a plane.
+void EventLocator::takeScanTimes() {
+  scanTimes_.clear();
+  for (int k = 1; k <= samples; ++k) scanTimes_.push_back(static_cast<double>(k) / samples);
+  for (std::size_t i = 0; i < side_.size() && scanTimes_.size() < mostSamples; ++i) {
+    const bool turns = side_[i] * slopeFrom_[i] < 0.0 && side_[i] * slopeTo_[i] > 0.0;
+    if (!turns) continue;
+    const double theta = slopeFrom_[i] / (slopeFrom_[i] - slopeTo_[i]);
+    const double farthest = atFrom_[i] + 0.5 * theta * stepLength_ * slopeFrom_[i];
+    if (side_[i] * farthest < 0.0) scanTimes_.push_back(theta);
+  }
+  std::ranges::sort(scanTimes_);
+}
+
+/// Looks for the first time at which any guard is beyond; the part of the step before it is (scanLow_, scanHigh_].
+bool EventLocator::scan(const State& from, const State& to, Look look) {
+  takeScanTimes();
   scanLow_ = 0.0;
-  for (int k = 1; k <= samples; ++k) {
-    scanHigh_ = static_cast<double>(k) / samples;
-    if (k < samples) look(from, to, scanHigh_);
-    const State& state = k < samples ? inside_ : to;
+  for (const double theta : scanTimes_) {
+    scanHigh_ = theta;
+    if (theta < 1.0) (stepper_.*look)(from, to, theta, inside_);
+    const State& state = theta < 1.0 ? inside_ : to;
     guards(state);
     if (anyBeyond(values_)) {
-      scanChanged_.clear();
-      for (std::size_t i = 0; i < side_.size(); ++i) {
-        if (isBeyond(static_cast<int>(i), values_[i])) scanChanged_.push_back(static_cast<int>(i));
-      }
-      beyond_ = state;
+      seeBeyond(state, values_, scanLow_, scanHigh_);
       return true;
     }
-    scanLow_ = scanHigh_;
+    scanLow_ = theta;
   }
   return false;
 }
 
-/// Where in (low, high] guard i changes sign on the dense output: bisection, as a first guess needs no more.
-double EventLocator::denseRoot(int i, const State& from, const State& to, double low, double high) {
-  for (int n = 0; n < 20; ++n) {
-    const double middle = 0.5 * (low + high);
-    look(from, to, middle);
-    (isBeyond(i, guard(i, inside_)) ? high : low) = middle;
+/// Where in (scanLow_, scanHigh_] guard i changes sign on the dense output, and how fast it goes there: regula falsi,
+/// by halves where one end stays (Illinois), as a first guess needs no more.
+EventLocator::Root EventLocator::denseRoot(int i, const State& from, const State& to, Look look) {
+  const double side = side_[static_cast<std::size_t>(i)];
+  const auto depth = [&](double theta) {  // > 0 beyond the guard
+    if (theta >= 1.0) return -side * atTo_[static_cast<std::size_t>(i)];
+    if (theta <= 0.0) return -side * atFrom_[static_cast<std::size_t>(i)];
+    (stepper_.*look)(from, to, theta, inside_);
+    return -side * guard(i, inside_);
+  };
+  double low = scanLow_, high = scanHigh_, depthLow = depth(low), depthHigh = depth(high);
+  double slope = (depthHigh - depthLow) / (high - low), root = high, last = depthHigh;
+  const double size = std::max(std::abs(depthLow), std::abs(depthHigh));
+  int stays = 0;  // the end that has moved, 1 the high one
+  for (int n = 0; n < 12; ++n) {
+    // Where a guard begins at 0 but for rounding, as after its last event, that is not the zero that is looked for.
+    const bool clear = depthLow < -1e-6 * size;
+    const double next = clear ? high - depthHigh * (high - low) / (depthHigh - depthLow) : 0.5 * (low + high);
+    if (!(next > low && next < high)) break;
+    const double value = depth(next), moved = next - root;
+    root = next;
+    slope = (value - last) / moved;
+    last = value;
+    const int end = value > 0.0 ? 1 : -1;
+    (end > 0 ? high : low) = next;
+    (end > 0 ? depthHigh : depthLow) = value;
+    if (end == stays) (end > 0 ? depthLow : depthHigh) *= 0.5;
+    stays = end;
+    if (std::abs(moved) < 1e-6) break;
   }
-  return high;
+  return {root, slope};
 }
 
 EventLocator::Found EventLocator::locate(const State& from, State& to) {
   if (side_.empty()) return {};
   atTo_ = guards(to);
-  if (!anyBeyond(atTo_) && !mayCrossTwice(from, to)) return {};
-  if (!scan(from, to)) return {};
+  const bool beyond = anyBeyond(atTo_), turns = mayCrossTwice(from, to);
+  if (!beyond && !turns) return {};
+  // That something is beyond at the end is sure, and a sketch tells well enough when it came there. Whether something
+  // was, and came back, is for the method to say.
+  const Look look = beyond ? &Stepper::sketch : &Stepper::interpolate;
+  if (turns) {
+    if (!scan(from, to, look)) return {};
+  } else {
+    seeBeyond(to, atTo_, 0.0, 1.0);
+  }
   int first = scanChanged_.front();
-  double theta = 2.0;
+  Root earliest{.theta = 2.0};
   for (const int i : scanChanged_) {
-    const double root = denseRoot(i, from, to, scanLow_, scanHigh_);
-    if (root >= theta) continue;
-    theta = root;
+    const Root root = denseRoot(i, from, to, look);
+    if (root.theta >= earliest.theta) continue;
+    earliest = root;
     first = i;
   }
-  return refine(first, theta, from, to);
+  Found found = refine(first, earliest, from, to);
+  // The dense output may have told their order wrongly: what is well beyond at the event was there before.
+  for (int tries = 0; tries < mostReorderings && found.event; ++tries) {
+    const int earlier = wellBeyond(first);
+    if (earlier < 0) break;
+    first = earlier;
+    const auto i = static_cast<std::size_t>(earlier);
+    atTo_ = values_;
+    const double slope = side_[i] * (atFrom_[i] - atTo_[i]);
+    found = refine(earlier, {side_[i] * atFrom_[i] / slope, slope}, from, to);
+  }
+  return found;
 }
 
-/// Root of guard i over the length of a step from `from`: secant steps inside a bracket, bisection where they do not
-/// shrink it, until the length is known to rounding; the result is the end of the bracket on the far side.
-EventLocator::Found EventLocator::refine(int i, double guess, const State& from, State& to) {
+/// A guard but for one that is beyond at the event by more than rounding; -1: none is.
+int EventLocator::wellBeyond(int but) const {
+  for (const int i : crossed_) {
+    const auto at = static_cast<std::size_t>(i);
+    const double size = std::abs(atFrom_[at]) + std::abs(atTo_[at]);
+    if (i != but && isBeyond(i, values_[at]) && std::abs(values_[at]) > 1e-9 * size) return i;
+  }
+  return -1;
+}
+
+/// Root of guard i over the length of a step from `from`: secant steps inside a bracket, bisection where their
+/// corrections do not fall, until the length is known to rounding of the time; the result is on the far side.
+EventLocator::Found EventLocator::refine(int i, const Root& guess, const State& from, State& to) {
   const double full = to.t - from.t;
   const double resolution = 0.25 * timeRounding(from.t, to.t);
-  const State whole = to;
+  const double end = to.t;
   const double side = side_[static_cast<std::size_t>(i)];
   StepResult failure;
   double taken = full;                     // length of the stepper's last step
@@ -188,35 +261,38 @@ EventLocator::Found EventLocator::refine(int i, double guess, const State& from,
   };
   const auto rounded = [&](double length) { return (from.t + length) - from.t; };
 
-  double high = rounded(scanHigh_ * full);
-  double depthHigh = high < full ? depth(high) : -side * atTo_[static_cast<std::size_t>(i)];
-  if (high < full && !(depthHigh > 0.0) && isBeyond(i, atTo_[static_cast<std::size_t>(i)])) {
-    high = full;
-    depthHigh = -side * atTo_[static_cast<std::size_t>(i)];
+  // Beyond at the end of the whole step is beyond enough; else a step to where the dense output was.
+  double high = full, depthHigh = -side * atTo_[static_cast<std::size_t>(i)];
+  if (!(depthHigh > 0.0)) {
+    high = rounded(scanHigh_ * full);
+    depthHigh = depth(high);
   }
   if (!failure.done) return {false, 0.0, failure};
   if (!(depthHigh > 0.0)) {  // seen by the dense output alone: the method itself does not reach the guard
-    stepper_.step(from, full, whole.t, to);
+    stepper_.step(from, full, end, to);
     return {};
   }
   double low = 0.0;
-  double last = high;  // the latest length tried, for the secant
-  double depthLast = depthHigh;
-  double next = rounded(guess * full);
+  double last = 0.0, depthLast = 0.0;  // the latest length tried, for the secant
+  double correction = guess.theta * full;
+  double next = rounded(correction);
   for (int n = 0; n < 100 && high - low > resolution; ++n) {
     if (!(next > low && next < high)) next = rounded(0.5 * (low + high));
     if (!(next > low && next < high)) break;
-    const double before = high - low;
     const double value = depth(next);
     if (!failure.done) return {false, 0.0, failure};
-    const double root = next - value * (next - last) / (value - depthLast);
+    const double slope = n == 0 ? guess.slope / full : (value - depthLast) / (next - last);
+    const double root = next - value / slope;
     last = next;
     depthLast = value;
     (value > 0.0 ? high : low) = next;
-    // The next length overshoots the root by a little, towards the end that has not moved, so that both ends close in.
-    const double overshoot = std::max(resolution, 0.01 * std::abs(root - next));
-    const bool shrinks = n < 2 || high - low <= 0.5 * before;
-    next = rounded(shrinks ? root + (value > 0.0 ? -overshoot : overshoot) : 0.5 * (low + high));
+    // The next length overshoots the root by about its error, towards the end that has not moved, so that both ends
+    // close in: a secant's error falls with its last correction, as that did.
+    const double previous = std::exchange(correction, std::abs(root - next));
+    if (value > 0.0 && correction <= 4.0 * resolution) break;
+    const double overshoot = std::max(resolution, correction * std::min(0.01, 2.0 * correction / previous));
+    const bool converges = correction <= 0.5 * previous;
+    next = rounded(converges ? root + (value > 0.0 ? -overshoot : overshoot) : 0.5 * (low + high));
   }
   if (high <= resolution) {
     to = from;

@@ -16,7 +16,7 @@ namespace muelle::engine {
 /// it is exactly 0 or on the near side by a rounding just after its event.
 class EventLocator {
  public:
-  EventLocator(const DynamicalSystem& system, Integrator& method, Stepper& stepper);
+  EventLocator(const DynamicalSystem& system, Stepper& stepper);
 
   /// Takes the sides at the begin of a run, or after commits that may have changed any mode. When a guard is exactly 0
   /// there, z is set for the state a moment later (a fraction of h), so that the mode fits where the motion goes.
@@ -36,25 +36,36 @@ class EventLocator {
   void settle(const State& state);
 
  private:
+  /// A state inside the step, exact or as a sketch.
+  using Look = void (Stepper::*)(const State& from, const State& to, double theta, State& out);
+
+  /// Where a guard is 0, in parts of the step, and how fast it goes beyond there, a step.
+  struct Root {
+    double theta = 0.0, slope = 0.0;
+  };
+
   double guard(int i, const State& state);
-  void look(const State& from, const State& to, double theta);
   const std::vector<double>& guards(const State& state);
   bool isBeyond(int i, double value) const;
   bool anyBeyond(const std::vector<double>& values) const;
   bool mayCrossTwice(const State& from, const State& to);
+  void takeScanTimes();
+  void seeBeyond(const State& state, const std::vector<double>& values, double low, double high);
   void slopes(const State& state, const State& from, const State& to, double sign, std::vector<double>& out);
-  bool scan(const State& from, const State& to);
-  double denseRoot(int i, const State& from, const State& to, double low, double high);
-  Found refine(int i, double guess, const State& from, State& to);
+  bool scan(const State& from, const State& to, Look look);
+  Root denseRoot(int i, const State& from, const State& to, Look look);
+  int wellBeyond(int but) const;
+  Found refine(int i, const Root& guess, const State& from, State& to);
 
   const DynamicalSystem& system_;
   const Switching& switching_;
-  Integrator& method_;
   Stepper& stepper_;
   std::vector<int> side_;  // +1, -1, or 0 while a guard has been exactly 0 since the start
   std::vector<double> values_, atFrom_, atTo_, slopeFrom_, slopeTo_;
   std::vector<int> crossed_;
   double scanLow_ = 0.0, scanHigh_ = 1.0;  // the part of the step in which scan() saw the first change
+  double stepLength_ = 0.0;                // [s], of the step that mayCrossTwice() has seen
+  std::vector<double> scanTimes_;          // looked at, in parts of the step
   std::vector<int> scanChanged_;
   State inside_;
   State beyond_;  // a state clearly beyond the event

@@ -4,10 +4,10 @@
 
 namespace muelle::engine {
 
-ModeKeeper::ModeKeeper(const DynamicalSystem& system, Integrator& method, Stepper& stepper, bool locate)
+ModeKeeper::ModeKeeper(const DynamicalSystem& system, Stepper& stepper, bool locate)
     : switching_(system.switching()), frozen_(locate && switching_ != nullptr) {
   if (!frozen_) return;
-  locator_.emplace(system, method, stepper);
+  locator_.emplace(system, stepper);
   crossings_.assign(static_cast<std::size_t>(switching_->guardCount()), 0);
 }
 

@@ -12,7 +12,7 @@ namespace muelle::engine {
 class ModeKeeper {
  public:
   /// \param locate  whether events are located; without it modes are always live
-  ModeKeeper(const DynamicalSystem& system, Integrator& method, Stepper& stepper, bool locate);
+  ModeKeeper(const DynamicalSystem& system, Stepper& stepper, bool locate);
 
   bool frozen() const { return frozen_; }
   /// Commits a first state, or one that was changed from outside: its modes are then decided anew, its anchors stay.

@@ -48,9 +48,9 @@ Simulation::Simulation(const DynamicalSystem& system, Integrator& method, State 
       options_(std::move(options)),
       adaptive_(method.info().adaptive && !options_.fixedStep),
       state_(checked(system, method.info(), std::move(start), options_)),
-      stepper_(system, method, options_.compensated, state_.x.size()),
+      stepper_(system, method, options_.compensated, adaptive_ && options_.locateEvents, state_.x.size()),
       planner_(system, options_, adaptive_, adaptive_ || options_.locateEvents, state_.t),
-      modes_(system, method, stepper_, options_.locateEvents),
+      modes_(system, stepper_, options_.locateEvents),
       monitor_(monitorOf(system, options_)) {
   method_.resetWork();
   if (goesOn(monitor_.checkStart(state_))) begin();
@@ -80,8 +80,17 @@ void Simulation::startErrorControl() {
     scale_.emplace(system_, state_, options_.duration);
   }
   method_.measureErrorsBy(scale_->scale());
-  planner_.chooseFirstStep(state_, std::max(1, method_.info().order), scale_->scale(), work_);
+  chooseFirstStep();
+  toChooseStep_ = fliesFreely();
 }
+
+void Simulation::chooseFirstStep() {
+  planner_.chooseFirstStep(state_, std::max(1, method_.info().order), scale_->scale(), work_);
+  toChooseStep_ = false;
+}
+
+/// Whether the next step is free flight, which is as long as it may be and no step of the method.
+bool Simulation::fliesFreely() const { return modes_.frozen() && stepper_.flies(state_); }
 
 void Simulation::setState(State state) {
   if (state.t != state_.t) {
@@ -151,7 +160,9 @@ Advance Simulation::advance() {
   tellMethod();
   tried_ = true;
   retries_ = 0;
-  PlannedStep step = planner_.plan(state_.t);
+  const bool flies = fliesFreely();
+  if (!flies && toChooseStep_) chooseFirstStep();  // no flight tells how long the method's steps should be
+  PlannedStep step = flies ? planner_.planFlight(state_.t) : planner_.plan(state_.t);
   cutAtObstacles(step);
   if (!take(step)) return {.kind = Advance::Kind::Stopped};
   return finishStep(step);
@@ -172,8 +183,7 @@ const State& Simulation::at(double t) {
     throw std::out_of_range(
         fmt::format("at: t = {} s is not in the last step, which goes from {} to {} s", t, stepBegin(), state_.t));
   }
-  method_.interpolate(system_, other_, state_, (t - other_.t) / (state_.t - other_.t), inside_);
-  system_.place(inside_.t, inside_.z, inside_.x, inside_.v);
+  stepper_.interpolate(other_, state_, (t - other_.t) / (state_.t - other_.t), inside_);
   inside_.t = t;
   return inside_;
 }
@@ -197,7 +207,7 @@ bool Simulation::take(PlannedStep& step) {
       again = retryInexact(step, result);
     } else {
       if (looksAtEnergy() && !goesOn(monitor_.checkEnergy(state_, other_))) return false;
-      planner_.accept(step.length, result.error);
+      if (!fliesFreely()) planner_.accept(step.length, result.error);
       if (!modes_.frozen()) return true;  // no events are looked for
       const StepResult located = locateEvent(step);
       if (located.done) return true;

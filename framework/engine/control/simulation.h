@@ -102,6 +102,8 @@ class Simulation {
  private:
   void begin();
   void startErrorControl();
+  void chooseFirstStep();
+  bool fliesFreely() const;
   void tellMethod();
   void setMethodAside();
   void prepareAgain();
@@ -133,9 +135,10 @@ class Simulation {
   std::optional<MotionScale> scale_;  // of an adaptive run
   // What the method is told only before the next step, as its dense output is that of the last one until then.
   bool toAccept_ = false, toRestart_ = false, toStart_ = false;
-  bool hasStep_ = false;  // other_ is the begin of the last step
-  bool tried_ = false;    // a step has been tried
-  int retries_ = 0;       // of the present step
+  bool hasStep_ = false;       // other_ is the begin of the last step
+  bool toChooseStep_ = false;  // the method has made no step yet, free flight only
+  bool tried_ = false;         // a step has been tried
+  int retries_ = 0;            // of the present step
   StopReport report_;
   Work work_;  // that the method does not count
   std::vector<RunEvent> events_;

@@ -1,7 +1,9 @@
 #include "engine/control/step_controller.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace muelle::engine {
@@ -9,12 +11,27 @@ namespace muelle::engine {
 StepController::StepController(int order, double h, double largestStep)
     : beta_(0.3 / order), exponent_(1.0 / order - 0.75 * beta_), h_(std::min(h, largestStep)), largest_(largestStep) {}
 
+/// A logarithm by its first digits, wrong by 0.01 at most, of a normal positive number: for a look at whether an exact
+/// one is needed at all.
+double StepController::roughLog2(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const double exponent = static_cast<double>(bits >> 52U) - 1023.0;
+  const double m = std::bit_cast<double>((bits & 0x000f'ffff'ffff'ffffU) | 0x3ff0'0000'0000'0000U);  // in [1, 2)
+  return exponent + (2.0 - m / 3.0) * m - 5.0 / 3.0;
+}
+
+/// By how much the next step should be longer, before its bounds.
+double StepController::factor(double error) const {
+  const double rough = std::log2(0.9) - exponent_ * roughLog2(error) + beta_ * roughLog2(lastError_);
+  const double doubt = 0.01 * (std::abs(exponent_) + beta_);
+  if (rough > deadBandLog2 + doubt && rough < -doubt) return 1.0;
+  const double exact = 0.9 * std::pow(error, -exponent_) * std::pow(lastError_, beta_);
+  return exact > deadBand && exact < 1.0 ? 1.0 : exact;
+}
+
 void StepController::accept(double length, double error) {
-  const double bounded = std::max(error, 1e-10);
-  double factor = 0.9 * std::pow(bounded, -exponent_) * std::pow(lastError_, beta_);
-  factor = std::clamp(factor, 0.2, afterRejection_ ? 1.0 : 10.0);
-  if (factor > 0.8 && factor < 1.0) factor = 1.0;  // the dead band
-  const double proposed = length * factor;
+  const double next = std::clamp(factor(std::max(error, 1e-10)), 0.2, afterRejection_ ? 1.0 : 10.0);
+  const double proposed = length * next;
   h_ = std::min(length < 0.999 * h_ ? std::max(h_, proposed) : proposed, largest_);
   lastError_ = std::max(error, 1e-4);
   afterRejection_ = false;

@@ -24,6 +24,11 @@ class StepController {
   void fail(double length);
 
  private:
+  static constexpr double deadBand = 0.8, deadBandLog2 = -0.32192809488736235;
+
+  static double roughLog2(double value);
+  double factor(double error) const;
+
   double beta_;
   double exponent_;
   double h_;

@@ -60,6 +60,12 @@ PlannedStep StepPlanner::plan(double t) const {
   return step;
 }
 
+PlannedStep StepPlanner::planFlight(double t) const {
+  const double rest = stops_.next().t - t;
+  if (rest <= options_.largestStep) return {stops_.next().t, rest, true, false};
+  return {t + options_.largestStep, (t + options_.largestStep) - t, false, false};
+}
+
 void StepPlanner::shorten(PlannedStep& step, double t, double length) {
   step.t = t + length;
   step.length = step.t - t;

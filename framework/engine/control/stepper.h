@@ -5,7 +5,8 @@
 
 namespace muelle::engine {
 
-/// Takes steps of a method, with compensated summation of the state when asked for.
+/// Takes steps of a method, with compensated summation of the state when asked for. Free flight (DynamicalSystem::
+/// flight) may be taken in closed form instead, x + h v + h^2/2 a: any length of it is exact, for no force.
 ///
 /// Compensated: the state is the sum of two numbers, its double and a low part that the doubles have lost. A step gives
 /// the increment dx (Integrator::stepIncrement); x + (low + dx) is rounded to the new double, and what the rounding
@@ -14,11 +15,20 @@ namespace muelle::engine {
 /// Wanner, VIII.5.
 class Stepper {
  public:
-  Stepper(const DynamicalSystem& system, Integrator& method, bool compensated, std::size_t size);
+  /// \param flights whether free flight is taken in closed form
+  Stepper(const DynamicalSystem& system, Integrator& method, bool compensated, bool flights, std::size_t size);
+
+  /// Whether a step from there is free flight in closed form.
+  bool flies(const State& from) const { return flights_ && !system_.flight(from.z).empty(); }
 
   /// A step from `from` of length h that ends at time t. May be called again from the same state.
   StepResult step(const State& from, double h, double t, State& to);
-  /// The last step was accepted: its low parts become those of the state. The method's accept() is called.
+  /// The state inside the last step: Integrator::interpolate() and sketch(), or of free flight that itself; with moved
+  /// nodes in their places.
+  void interpolate(const State& from, const State& to, double theta, State& out);
+  void sketch(const State& from, const State& to, double theta, State& out);
+  /// The last step was accepted: its low parts become those of the state. The method's accept() is called if it was
+  /// its.
   void accept();
   /// The state was put elsewhere: it has no low parts.
   void forget();
@@ -28,9 +38,14 @@ class Stepper {
     std::vector<double> x, v;
   };
 
+  StepResult advance(const State& from, double h, State& to);
+  void fly(const State& from, double h, State& to) const;
+
   const DynamicalSystem& system_;
   Integrator& method_;
   bool compensated_;
+  bool flights_;
+  bool flying_ = false;  ///< the last step was free flight
   Low low_, nextLow_;
 };
 

@@ -32,19 +32,16 @@ Spring<D>::Spring(const std::vector<SpringElement>& springs, SpringKind kind, co
     if (kind_ == SpringKind::Signed) side_.push_back(s.side);
   }
   hasMereDampers_ = std::ranges::any_of(springs, [](const SpringElement& s) { return s.k == 0.0; });
-  grouped_ = mayGroup(data.size());
-  if (grouped_) {
+  constexpr std::size_t few = 8;  // springs, below which there is nothing to group
+  // Without rest length the force is k d, exactly so here; the kernels round it.
+  const bool anyLinear = std::ranges::any_of(springs, [](const SpringElement& spring) { return spring.L0 == 0.0; });
+  byKernel_ = kind_ == SpringKind::Plain && !layout_.isPlanar() && (data.size() >= few || !anyLinear);
+  if (byKernel_ && data.size() >= few) {
     run_ = kernels::SpringGroups(D, layout.storage / layout.node, data).runs().front();
   } else {
     run_.damping = kernels::dampingOf(data.front(), D);
     for (const kernels::SpringData& s : data) run_.append(s, D, layout.node);
   }
-}
-
-template <int D>
-bool Spring<D>::mayGroup(std::size_t springs) const {
-  constexpr std::size_t few = 8;  // springs, below which there is nothing to group
-  return kind_ == SpringKind::Plain && springs >= few && !layout_.isPlanar();
 }
 
 template <int D>
@@ -129,7 +126,7 @@ inline auto Spring<D>::dampingForce(const One& s, const Vector& d, const Vector&
 
 template <int D>
 void Spring<D>::addForce(const Configuration& at, double* f) const {
-  if (grouped_) return addByKernel(run_.damping, at, f);
+  if (byKernel_) return addByKernel(run_.damping, at, f);
   if (!isDamped()) return addConservativeForce(at, f);
   for (std::size_t i = 0; i < run_.size(); ++i) {
     const One s = one(i);
@@ -142,7 +139,7 @@ void Spring<D>::addForce(const Configuration& at, double* f) const {
 
 template <int D>
 void Spring<D>::addConservativeForce(const Configuration& at, double* f) const {
-  if (grouped_) return addByKernel(kernels::Damping::None, at, f);
+  if (byKernel_) return addByKernel(kernels::Damping::None, at, f);
   for (std::size_t i = 0; i < run_.size(); ++i) {
     const One s = one(i);
     const Vector F = elasticForce(i, difference(s, at.x), at.z);
@@ -282,7 +279,7 @@ const std::vector<int>& Spring<D>::alongNodes() const {
     const auto ends = [this](int i) {
       return std::minmax(run_.a[static_cast<std::size_t>(i)], run_.b[static_cast<std::size_t>(i)]);
     };
-    if (grouped_) std::ranges::sort(alongNodes_, [&](int i, int j) { return ends(i) < ends(j); });
+    if (byKernel_) std::ranges::sort(alongNodes_, [&](int i, int j) { return ends(i) < ends(j); });
   }
   return alongNodes_;
 }

@@ -44,8 +44,8 @@ enum class SpringKind {
 /// Signed (1D): the length is side * (xa - xb) throughout, negative beyond the other end; the
 /// force is linear, and nothing happens at zero length.
 ///
-/// The force of many plain springs is left to the kernels (engine/kernels), in whose order they then stand; all else
-/// is here, and goes through the same arrays.
+/// The force of plain springs on padded nodes is left to the kernels (engine/kernels), in whose order many of them
+/// stand; all else is here, and goes through the same arrays.
 ///
 /// Unilateral: nothing of the spring acts (damping neither) when L > L0; live by the length, frozen by the mode in z.
 template <int D>
@@ -54,6 +54,9 @@ class Spring final : public ForceBatch, private StiffnessPiece, private Constrai
   /// \param springs sorted along the nodes, of one damping form (kernels::dampingOf)   \param layout that of
   /// setLayout()
   Spring(const std::vector<SpringElement>& springs, SpringKind kind, const Layout& layout);
+
+  /// The springs whose force the kernels compute; null where it is computed here.
+  const kernels::SpringRun* plainRun() const { return byKernel_ ? &run_ : nullptr; }
 
   bool isConservative() const override { return !isDamped(); }
   bool usesVelocity() const override { return isDamped(); }
@@ -109,7 +112,6 @@ class Spring final : public ForceBatch, private StiffnessPiece, private Constrai
 
   bool isDamped() const { return run_.damping != kernels::Damping::None; }
   bool isSmooth() const { return kind_ == SpringKind::Plain || kind_ == SpringKind::Signed; }
-  bool mayGroup(std::size_t springs) const;
   void addByKernel(kernels::Damping damping, const Configuration& at, double* f) const;
   void addPair(double* f, const One& s, const Vector& onA) const;
   const std::vector<int>& alongNodes() const;
@@ -128,7 +130,7 @@ class Spring final : public ForceBatch, private StiffnessPiece, private Constrai
 
   SpringKind kind_;
   kernels::SpringRun run_;                       ///< the springs
-  bool grouped_ = false;                         ///< whether they stand in the order of the kernels
+  bool byKernel_ = false;                        ///< whether the kernels (engine/kernels) compute the force
   bool hasMereDampers_ = false;                  ///< springs of stiffness 0, which are no constraints
   std::vector<int> userIndex_;                   ///< of kinds that have events, for messages
   std::vector<double> side_;                     ///< of Signed

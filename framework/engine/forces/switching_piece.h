@@ -16,6 +16,8 @@ class SwitchingPiece {
   /// Number of internal variables; they start at zOffset_.
   virtual int internalSize() const = 0;
   void setInternalOffset(int offset) { zOffset_ = offset; }
+  /// Whether the internal variables, frozen, say that no force acts until the next event.
+  virtual bool isOff(const double* /*z*/) const { return false; }
   /// Sets the internal variables for the configuration; true when the force may have changed.
   virtual bool commit(const Configuration& at, bool frozen, double* z) const = 0;
   virtual void declaredTimes(double /*from*/, double /*to*/, std::vector<double>& /*times*/) const {}

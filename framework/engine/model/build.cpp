@@ -7,6 +7,7 @@
 #include "engine/model/axes.h"
 #include "engine/model/builder.h"
 #include "engine/model/damping.h"
+#include "engine/model/few_springs.h"
 #include "engine/model/numbering.h"
 #include "engine/model/parts.h"
 #include "engine/model/validate.h"
@@ -94,11 +95,15 @@ Numbering number(const Model& model, const kernels::GridNumbering& grid) {
   return numbering;
 }
 
+/// m g [N] of each lane.
+std::vector<double> weights(const Builder& builder) {
+  const Vec3& g = builder.model.gravity;
+  return builder.lanes([&](const ModelNode& node, int axis) { return node.m * g[axis]; });
+}
+
 void addGravity(Builder& builder) {
   if (builder.model.gravity.isZero(0.0)) return;
-  const Vec3& g = builder.model.gravity;
-  builder.batches.push_back(
-      std::make_unique<Gravity>(builder.lanes([&](const ModelNode& node, int axis) { return node.m * g[axis]; })));
+  builder.batches.push_back(std::make_unique<Gravity>(weights(builder)));
 }
 
 /// The sign of xa - xb at the start.
@@ -248,6 +253,17 @@ std::optional<GridForce> makeGridForce(const Builder& builder, kernels::GridNumb
       std::move(nodes));
 }
 
+/// All the forces together, where they are a few plain springs of one damping form, and gravity.
+template <int D>
+std::optional<FewSprings> makeFewSprings(const Builder& builder) {
+  const std::size_t springBatches = builder.batches.size() - (builder.model.gravity.isZero(0.0) ? 0 : 1);
+  if (springBatches != 1) return std::nullopt;
+  const auto* springs = dynamic_cast<const Spring<D>*>(builder.batches.back().get());
+  if (springs == nullptr || springs->plainRun() == nullptr) return std::nullopt;
+  if (springs->plainRun()->size() > FewSprings::most) return std::nullopt;
+  return FewSprings(D, *springs->plainRun(), weights(builder));
+}
+
 template <int D>
 std::unique_ptr<ModelSystem> buildIn(const Model& model) {
   kernels::GridNumbering grid = gridOf(model, axesOf(model));
@@ -262,10 +278,11 @@ std::unique_ptr<ModelSystem> buildIn(const Model& model) {
   addExternalForces<D>(builder);
   addObstacles<D>(builder);
   std::unique_ptr<NodeDrag> drag = makeDrag(builder);
+  std::optional<FewSprings> few = makeFewSprings<D>(builder);
   auto batches = std::move(builder.batches);
   for (const auto& batch : batches) batch->setLayout(numbering.layout);
   return std::make_unique<MassSpringSystem>(model, std::move(numbering), std::move(batches), std::move(drag),
-                                            std::move(gridForce), onGrid);
+                                            std::move(gridForce), onGrid, std::move(few));
 }
 
 }  // namespace

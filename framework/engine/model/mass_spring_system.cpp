@@ -10,7 +10,8 @@
 namespace muelle::engine {
 
 MassSpringSystem::MassSpringSystem(Model model, Numbering numbering, std::vector<std::unique_ptr<ForceBatch>> batches,
-                                   std::unique_ptr<NodeDrag> drag, std::optional<GridForce> grid, std::size_t onGrid)
+                                   std::unique_ptr<NodeDrag> drag, std::optional<GridForce> grid, std::size_t onGrid,
+                                   std::optional<FewSprings> few)
     : model_(std::move(model)),
       numbering_(std::move(numbering)),
       dimension_(static_cast<int>(numbering_.axes.size())),
@@ -19,10 +20,12 @@ MassSpringSystem::MassSpringSystem(Model model, Numbering numbering, std::vector
       batches_(std::move(batches)),
       drag_(std::move(drag)),
       grid_(std::move(grid)),
+      few_(std::move(few)),
       onGrid_(onGrid) {
   layOut();
   rods_ = rodsOfModel();
   collectPieces();
+  foreseeFlight();
 }
 
 /// Masses by lane, the lanes of the unknowns, and which nodes are moved.
@@ -72,6 +75,23 @@ void MassSpringSystem::collectPieces() {
   switches_ = internalSize_ > 0 || guardCount_ > 0 || !times.empty();
 }
 
+void MassSpringSystem::foreseeFlight() {
+  const bool mayBeOff = std::ranges::all_of(
+      batches_, [](const auto& batch) { return batch->isUniformField() || batch->switchingPiece() != nullptr; });
+  if (!mayBeOff || drag_ || !rods_.empty()) return;
+  fall_.assign(mass_.size(), 0.0);
+  for (const auto& batch : batches_) {
+    if (batch->isUniformField()) batch->addForce({}, fall_.data());
+  }
+  for (std::size_t i = 0; i < fall_.size(); ++i) fall_[i] *= inverseMass_[i];
+}
+
+In MassSpringSystem::flight(In z) const {
+  if (fall_.empty()) return {};
+  const bool off = std::ranges::all_of(switching_, [&](const SwitchingPiece* piece) { return piece->isOff(z.data()); });
+  return off ? In(fall_) : In();
+}
+
 std::vector<Rod> MassSpringSystem::rodsOfModel() const {
   std::vector<Rod> rods;
   for (const ModelSpring& spring : model_.springs) {
@@ -119,13 +139,13 @@ void MassSpringSystem::force(double t, In x, In v, In z, Out f) const {
 
 /// Overwrites a with the accelerations, with or without the drag.
 void MassSpringSystem::accelerate(const Configuration& at, In x, In v, bool withDrag, Out a) const {
+  requireEveryLane(a);
+  if (few_ && !(withDrag && drag_)) return few_->accelerate(x, v, inverseMass_, a);
   if (grid_) {
-    requireEveryLane(a);
     const bool others = onGrid_ < batches_.size();
     if (others) sumForces(at, onGrid_, scratch_.data());
     return grid_->accelerate(x, v, others ? scratch_.data() : nullptr, inverseMass_, withDrag, a);
   }
-  requireEveryLane(a);
   sumForces(at, 0, a.data());
   if (withDrag && drag_) drag_->addForce(at, a.data());
   for (std::size_t i = 0; i < a.size(); ++i) a[i] *= inverseMass_[i];

@@ -1,6 +1,7 @@
 #pragma once
 #include "engine/forces/force_batch.h"
 #include "engine/forces/node_drag.h"
+#include "engine/model/few_springs.h"
 #include "engine/model/grid_force.h"
 #include "engine/model/model_system.h"
 #include "engine/model/motion_segments.h"
@@ -33,8 +34,10 @@ class MassSpringSystem final : public ModelSystem,
  public:
   /// \param drag null when no node has any; not among `batches`
   /// \param grid of the first `onGrid` batches and the drag together, where the springs are a grid
+  /// \param few of all the batches together, where they are so few
   MassSpringSystem(Model model, Numbering numbering, std::vector<std::unique_ptr<ForceBatch>> batches,
-                   std::unique_ptr<NodeDrag> drag, std::optional<GridForce> grid, std::size_t onGrid);
+                   std::unique_ptr<NodeDrag> drag, std::optional<GridForce> grid, std::size_t onGrid,
+                   std::optional<FewSprings> few);
 
   int size() const override { return size_; }
   int storage() const override { return numbering_.layout.storage; }
@@ -44,6 +47,8 @@ class MassSpringSystem final : public ModelSystem,
   /// On held nodes it is what their holders take, without the drag.
   void force(double t, In x, In v, In z, Out f) const override;
   void acceleration(double t, In x, In v, In z, Out a) const override;
+  In flight(In z) const override;
+  bool movesNodes() const override { return !moved_.empty(); }
   void place(double t, In z, Out x, Out v) const override;
   int internalSize() const override { return internalSize_; }
   bool forceUsesVelocity() const override;
@@ -115,6 +120,7 @@ class MassSpringSystem final : public ModelSystem,
   void layOut();
   std::vector<Rod> rodsOfModel() const;
   void collectPieces();
+  void foreseeFlight();
   void requireEveryLane(Out f) const;
   void clear(Out f) const;
   void sumForces(const Configuration& at, std::size_t first, double* f) const;
@@ -141,7 +147,8 @@ class MassSpringSystem final : public ModelSystem,
   std::vector<std::unique_ptr<ForceBatch>> batches_;
   std::unique_ptr<NodeDrag> drag_;
   std::optional<GridForce> grid_;
-  std::size_t onGrid_;  ///< how many of the batches, from the first on, grid_ stands for
+  std::optional<FewSprings> few_;  ///< of all batches, none of which is then asked for an acceleration
+  std::size_t onGrid_;             ///< how many of the batches, from the first on, grid_ stands for
   // The pieces that the batches have, in their order, so that no batch is asked for what it has not.
   std::vector<StiffnessPiece*> stiffness_;  ///< that of the drag is the last
   std::vector<const LowRankPiece*> lowRank_;
@@ -151,6 +158,7 @@ class MassSpringSystem final : public ModelSystem,
   std::vector<const SwitchingPiece*> thin_;     ///< of these those with thin obstacles
   std::vector<const FrictionPiece*> friction_;
   std::vector<Rod> rods_;
+  std::vector<double> fall_;  ///< [m/s^2] by lanes; empty where more acts than a uniform field and what can be off
   mutable std::vector<double> scratch_;
   mutable std::optional<MatrixPattern> pattern_;  ///< laid out when first asked for: explicit methods never do
 };

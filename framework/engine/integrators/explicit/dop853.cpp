@@ -1,4 +1,4 @@
-#include "engine/integrators/explicit/engines/explicit_runge_kutta.h"
+#include "engine/integrators/explicit/engines/stage_integrator.h"
 #include "engine/integrators/explicit/methods.h"
 
 #include <algorithm>
@@ -39,51 +39,65 @@ Coefficients toThird() {
   return weights;
 }
 
-class DormandPrince853 : public ExplicitRungeKutta {
- public:
-  DormandPrince853() : ExplicitRungeKutta(dop853Info(), dop853Tableau(), toThird()) {
-    const ButcherTableau tableau = dop853Tableau();
-    const DenseTableau dense = dop853Dense();
-    rows_ = tableau.a;
-    rows_.push_back(tableau.b);
-    for (std::size_t i = 0; i < 3; ++i) {
-      extra_[i] = StageSum(squared(dense.a[i], rows_), dense.a[i]);
-      rows_.push_back(dense.a[i]);
-      times_[i] = static_cast<double>(dense.c[i]);
-    }
-    for (std::size_t i = 0; i < 4; ++i) dense_[i] = dense.d[i];
-    weights_ = tableau.b;
-    reserve(4);
+/// The dense output: three more stages, of which each has the slopes before it and the end's.
+struct Dense {
+  Dense();
+  std::vector<Coefficients> rows;  ///< of all 16 slopes
+  StageSum extra[3];
+  double times[3];
+  Coefficients weights;            ///< of the step
+  std::vector<Coefficients> last;  ///< of the last four coefficients of the interpolant
+};
+
+Dense::Dense() : rows(dop853Tableau().a), weights(dop853Tableau().b), last(dop853Dense().d) {
+  const DenseTableau dense = dop853Dense();
+  rows.push_back(weights);
+  for (std::size_t i = 0; i < 3; ++i) {
+    extra[i] = StageSum(squared(dense.a[i], rows), dense.a[i]);
+    rows.push_back(dense.a[i]);
+    times[i] = static_cast<double>(dense.c[i]);
   }
+}
+
+const Dense& denseOutput() {
+  static const Dense dense;
+  return dense;
+}
+
+class DormandPrince853 : public StageIntegrator {
+ public:
+  explicit DormandPrince853(const StagePlan& plan) : StageIntegrator(plan) { reserve(4); }
 
   void prepare(const DynamicalSystem& system, const Tolerance& tolerance) override {
-    ExplicitRungeKutta::prepare(system, tolerance);
+    StageIntegrator::prepare(system, tolerance);
     x_.assign(lanes(), 0.0);
     v_.assign(lanes(), 0.0);
   }
 
   StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override {
     denseReady_ = false;
-    return ExplicitRungeKutta::step(system, from, h, to);
+    return StageIntegrator::step(system, from, h, to);
   }
 
   void interpolate(const DynamicalSystem& system, const State& from, const State& to, double theta,
                    State& out) override {
     const double h = to.t - from.t;
     prepareDense(system, from, to, h);
+    const Dense& dense = denseOutput();
     const long double at = theta, rest = 1.0L - at;
     Coefficients weights(16);
     long double all = 0.0L;
     for (std::size_t j = 0; j < 16; ++j) {
-      const long double b = j < 12 ? weights_[j] : 0.0L;
+      const long double b = j < 12 ? dense.weights[j] : 0.0L;
       const long double start = (j == 0 ? 1.0L : 0.0L) - b;
       const long double end = b - (j == 12 ? 1.0L : 0.0L) - start;
-      const long double tail = dense_[0][j] + at * (dense_[1][j] + rest * (dense_[2][j] + at * dense_[3][j]));
+      const long double tail =
+          dense.last[0][j] + at * (dense.last[1][j] + rest * (dense.last[2][j] + at * dense.last[3][j]));
       weights[j] = at * (b + rest * (start + at * (end + rest * tail)));
       all += weights[j];
     }
     prepareResult(from, theta * h, out);
-    StageSum inside(squared(weights, rows_), weights);
+    StageSum inside(squared(weights, dense.rows), weights);
     sum(inside, static_cast<double>(all), from, h, out.x, out.v);
     system.place(out.t, from.z, out.x, out.v);
   }
@@ -102,16 +116,14 @@ class DormandPrince853 : public ExplicitRungeKutta {
     if (denseReady_) return;
     ensureEnd(system, from, to);
     for (std::size_t i = 0; i < 3; ++i) {
-      sum(extra_[i], times_[i], from, h, x_, v_);
-      evaluate(system, from.t + times_[i] * h, x_, v_, from.z, 13 + i);
+      StageSum stage = denseOutput().extra[i];
+      const double at = denseOutput().times[i];
+      sum(stage, at, from, h, x_, v_);
+      evaluate(system, from.t + at * h, x_, v_, from.z, 13 + i);
     }
     denseReady_ = true;
   }
 
-  StageSum extra_[3];
-  double times_[3] = {};
-  std::vector<Coefficients> rows_;  ///< of all 16 slopes
-  Coefficients dense_[4], weights_;
   std::vector<double> x_, v_;
   bool denseReady_ = false;
 };
@@ -204,6 +216,9 @@ DenseTableau dop853Dense() {
   };
 }
 
-std::unique_ptr<Integrator> dop853() { return std::make_unique<DormandPrince853>(); }
+std::unique_ptr<Integrator> dop853() {
+  static const StagePlan plan(dop853Info(), dop853Tableau(), toThird());
+  return std::make_unique<DormandPrince853>(plan);
+}
 
 }  // namespace muelle::engine

@@ -1,4 +1,4 @@
-#include "engine/integrators/explicit/engines/explicit_runge_kutta.h"
+#include "engine/integrators/explicit/engines/stage_integrator.h"
 #include "engine/integrators/explicit/methods.h"
 
 namespace muelle::engine {
@@ -26,9 +26,9 @@ MethodInfo dormandPrince5Info() {
 }
 
 /// Dormand-Prince 5(4), with its dense output of order 4.
-class DormandPrince5 : public ExplicitRungeKutta {
+class DormandPrince5 : public StageIntegrator {
  public:
-  DormandPrince5() : ExplicitRungeKutta(dormandPrince5Info(), dormandPrince5Tableau()) {}
+  using StageIntegrator::StageIntegrator;
 
   void interpolate(const DynamicalSystem& system, const State& from, const State& to, double theta,
                    State& out) override {
@@ -37,24 +37,22 @@ class DormandPrince5 : public ExplicitRungeKutta {
                                  87487479700.0L / 32700410799.0L,   -10690763975.0L / 1880347072.0L,
                                  701980252875.0L / 199316789632.0L, -1453857185.0L / 822651844.0L,
                                  69997945.0L / 29380423.0L};
+    static const ButcherTableau tableau = dormandPrince5Tableau();
     const long double at = theta, rest = 1.0L - at;
     Coefficients weights(7);
     long double all = 0.0L;
     for (std::size_t j = 0; j < 7; ++j) {
-      const long double b = tableau_.b[j], first = j == 0 ? 1.0L : 0.0L, last = j == 6 ? 1.0L : 0.0L;
+      const long double b = tableau.b[j], first = j == 0 ? 1.0L : 0.0L, last = j == 6 ? 1.0L : 0.0L;
       const long double start = first - b;
       weights[j] = at * (b + rest * (start + at * (b - last - start + rest * d[j])));
       all += weights[j];
     }
     const double h = to.t - from.t;
     prepareResult(from, theta * h, out);
-    StageSum inside(squared(weights, tableau_.a), weights);
+    StageSum inside(squared(weights, tableau.a), weights);
     sum(inside, static_cast<double>(all), from, h, out.x, out.v);
     system.place(out.t, from.z, out.x, out.v);
   }
-
- private:
-  ButcherTableau tableau_ = dormandPrince5Tableau();
 };
 
 }  // namespace
@@ -76,6 +74,9 @@ ButcherTableau dormandPrince5Tableau() {
   };
 }
 
-std::unique_ptr<Integrator> dormandPrince5() { return std::make_unique<DormandPrince5>(); }
+std::unique_ptr<Integrator> dormandPrince5() {
+  static const StagePlan plan(dormandPrince5Info(), dormandPrince5Tableau());
+  return std::make_unique<DormandPrince5>(plan);
+}
 
 }  // namespace muelle::engine

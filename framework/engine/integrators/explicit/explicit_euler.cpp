@@ -1,4 +1,4 @@
-#include "engine/integrators/explicit/engines/explicit_runge_kutta.h"
+#include "engine/integrators/explicit/engines/stage_integrator.h"
 #include "engine/integrators/explicit/methods.h"
 
 namespace muelle::engine {
@@ -28,7 +28,8 @@ MethodInfo explicitEulerInfo() {
 ButcherTableau explicitEulerTableau() { return {.c = {0.0L}, .a = {{}}, .b = {1.0L}}; }
 
 std::unique_ptr<Integrator> explicitEuler() {
-  return std::make_unique<ExplicitRungeKutta>(explicitEulerInfo(), explicitEulerTableau());
+  static const StagePlan plan(explicitEulerInfo(), explicitEulerTableau());
+  return std::make_unique<StageIntegrator>(plan);
 }
 
 }  // namespace muelle::engine

@@ -1,4 +1,4 @@
-#include "engine/integrators/explicit/engines/explicit_runge_kutta.h"
+#include "engine/integrators/explicit/engines/stage_integrator.h"
 #include "engine/integrators/explicit/methods.h"
 
 namespace muelle::engine {
@@ -30,7 +30,8 @@ MethodInfo explicitMidpointInfo() {
 ButcherTableau explicitMidpointTableau() { return {.c = {0.0L, 0.5L}, .a = {{}, {0.5L}}, .b = {0.0L, 1.0L}}; }
 
 std::unique_ptr<Integrator> explicitMidpoint() {
-  return std::make_unique<ExplicitRungeKutta>(explicitMidpointInfo(), explicitMidpointTableau());
+  static const StagePlan plan(explicitMidpointInfo(), explicitMidpointTableau());
+  return std::make_unique<StageIntegrator>(plan);
 }
 
 }  // namespace muelle::engine

@@ -168,6 +168,9 @@ NystromTableau nystrom12Tableau() {
   };
 }
 
-std::unique_ptr<Integrator> nystrom12() { return std::make_unique<Nystrom>(nystrom12Info(), nystrom12Tableau); }
+std::unique_ptr<Integrator> nystrom12() {
+  static const StagePlan plan{nystrom12Info(), accelerationTableau(nystrom12Tableau())};
+  return std::make_unique<Nystrom>(plan, nystrom12Tableau);
+}
 
 }  // namespace muelle::engine

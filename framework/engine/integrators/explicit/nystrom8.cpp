@@ -52,6 +52,9 @@ NystromTableau nystrom8Tableau() {
   };
 }
 
-std::unique_ptr<Integrator> nystrom8() { return std::make_unique<Nystrom>(nystrom8Info(), nystrom8Tableau); }
+std::unique_ptr<Integrator> nystrom8() {
+  static const StagePlan plan{nystrom8Info(), accelerationTableau(nystrom8Tableau())};
+  return std::make_unique<Nystrom>(plan, nystrom8Tableau);
+}
 
 }  // namespace muelle::engine

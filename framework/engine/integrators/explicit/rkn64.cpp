@@ -42,6 +42,9 @@ NystromTableau rkn64Tableau() {
   };
 }
 
-std::unique_ptr<Integrator> rkn64() { return std::make_unique<Nystrom>(rkn64Info(), rkn64Tableau); }
+std::unique_ptr<Integrator> rkn64() {
+  static const StagePlan plan{rkn64Info(), accelerationTableau(rkn64Tableau())};
+  return std::make_unique<Nystrom>(plan, rkn64Tableau);
+}
 
 }  // namespace muelle::engine

@@ -1,4 +1,4 @@
-#include "engine/integrators/explicit/engines/explicit_runge_kutta.h"
+#include "engine/integrators/explicit/engines/stage_integrator.h"
 #include "engine/integrators/explicit/methods.h"
 
 namespace muelle::engine {
@@ -33,7 +33,8 @@ ButcherTableau rungeKutta4Tableau() {
 }
 
 std::unique_ptr<Integrator> rungeKutta4() {
-  return std::make_unique<ExplicitRungeKutta>(rungeKutta4Info(), rungeKutta4Tableau());
+  static const StagePlan plan(rungeKutta4Info(), rungeKutta4Tableau());
+  return std::make_unique<StageIntegrator>(plan);
 }
 
 }  // namespace muelle::engine

@@ -26,6 +26,9 @@ class Composition : public Integrator {
   /// Above order 4 by a shorter step: the Hermite interpolant would be the largest error.
   void interpolate(const DynamicalSystem& system, const State& from, const State& to, double theta,
                    State& out) override;
+  void sketch(const DynamicalSystem& system, const State& from, const State& to, double theta, State& out) override {
+    Integrator::interpolate(system, from, to, theta, out);
+  }
   void restart() override { kick_.restart(); }
   void accept() override { kick_.accept(); }
 

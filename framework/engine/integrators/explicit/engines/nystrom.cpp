@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <stdexcept>
-#include <utility>
 
 namespace muelle::engine {
 
@@ -18,9 +17,6 @@ MethodInfo nystromInfo() {
   info.source = "Dormand, El-Mikkawy and Prince, IMA J. Numer. Anal. 7 (1987) 423-430";
   return info;
 }
-
-Nystrom::Nystrom(MethodInfo info, NystromTableau (*tableau)())
-    : StageIntegrator(std::move(info), accelerationTableau(tableau())), tableau_(tableau) {}
 
 void Nystrom::prepare(const DynamicalSystem& system, const Tolerance& tolerance) {
   const bool hasDrag = system.drag() != nullptr && !system.drag()->remainderUsesVelocity();

@@ -14,13 +14,17 @@ MethodInfo nystromInfo();
 /// interpolant of order 6, 8 or 12 would cost as many evaluations.
 class Nystrom : public StageIntegrator {
  public:
-  Nystrom(MethodInfo info, NystromTableau (*tableau)());
+  /// \param tableau what the plan was made of
+  Nystrom(const StagePlan& plan, NystromTableau (*tableau)()) : StageIntegrator(plan), tableau_(tableau) {}
 
   void prepare(const DynamicalSystem& system, const Tolerance& tolerance) override;
   StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override;
   StepResult stepIncrement(const DynamicalSystem& system, const State& from, double h, State& increment) override;
   void interpolate(const DynamicalSystem& system, const State& from, const State& to, double theta,
                    State& out) override;
+  void sketch(const DynamicalSystem& system, const State& from, const State& to, double theta, State& out) override {
+    Integrator::interpolate(system, from, to, theta, out);
+  }
   void restart() override;
   void accept() override;
 

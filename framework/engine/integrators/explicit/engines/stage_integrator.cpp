@@ -49,13 +49,13 @@ AccelerationTableau accelerationTableau(const ButcherTableau& tableau, const Coe
   return result;
 }
 
-StageIntegrator::StageIntegrator(MethodInfo info, const AccelerationTableau& tableau)
-    : info_(std::move(info)), c_(rounded(tableau.c)), firstSameAsLast_(tableau.firstSameAsLast) {
-  sums_.reserve(c_.size() + 1);
-  for (std::size_t i = 0; i < c_.size(); ++i) {
-    sums_.emplace_back(tableau.ax[i], tableau.av.empty() ? Coefficients{} : tableau.av[i]);
+StagePlan::StagePlan(MethodInfo facts, const AccelerationTableau& tableau)
+    : info(std::move(facts)), c(rounded(tableau.c)), firstSameAsLast(tableau.firstSameAsLast) {
+  sums.reserve(c.size() + 1);
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    sums.emplace_back(tableau.ax[i], tableau.av.empty() ? Coefficients{} : tableau.av[i]);
   }
-  sums_.emplace_back(tableau.bx, tableau.bv, tableau.ex, tableau.ev);
+  sums.emplace_back(tableau.bx, tableau.bv, tableau.ex, tableau.ev);
 }
 
 void StageIntegrator::prepare(const DynamicalSystem& system, const Tolerance& tolerance) {
@@ -63,6 +63,7 @@ void StageIntegrator::prepare(const DynamicalSystem& system, const Tolerance& to
   size_ = static_cast<std::size_t>(system.storage());
   kernels_ = &stageKernels(size_);
   velocities_ = system.forceUsesVelocity();
+  places_ = system.movesNodes();
   accelerations_.assign(stages() + extra_, size_);
   stage_.assign(2, size_);
   zeros_.assign(size_, 0.0);
@@ -97,7 +98,7 @@ void StageIntegrator::provideFirst(const DynamicalSystem& system, const State& f
   const bool again = !accepted_ && startMark_.matches(from);
   accepted_ = endKnown_ = false;
   if (goesOn) {
-    const std::size_t last = firstSameAsLast_ ? stages() - 1 : stages();
+    const std::size_t last = plan_.firstSameAsLast ? stages() - 1 : stages();
     constexpr std::size_t few = 64;  // lanes, which are copied sooner than all sums are told
     if (size_ > few) {
       swapAccelerations(0, last);
@@ -129,7 +130,7 @@ StageEnd StageIntegrator::advance(const DynamicalSystem& system, const State& fr
   if (h != h_ || moved_) bind(h);
   const StageBase base{size_, from.x.data(), from.v.data(), h};
   const In z = from.z;
-  const std::size_t count = stages(), atEnd = firstSameAsLast_ ? count - 1 : count;
+  const std::size_t count = stages(), atEnd = plan_.firstSameAsLast ? count - 1 : count;
   const bool velocities = velocities_;
   Out x = stage_[0], v = stage_[1];
   for (std::size_t i = 1; i < count; ++i) {
@@ -138,9 +139,9 @@ StageEnd StageIntegrator::advance(const DynamicalSystem& system, const State& fr
       v = to.v;
     }
     // A force that does not use velocities is given some all the same.
-    kernels_->stage(base, sums_[i].terms(), c_[i], x.data(), velocities ? v.data() : nullptr);
-    const double t = from.t + c_[i] * h;
-    system.place(t, z, x, v);
+    kernels_->stage(base, sums_[i].terms(), plan_.c[i], x.data(), velocities ? v.data() : nullptr);
+    const double t = from.t + plan_.c[i] * h;
+    if (places_) system.place(t, z, x, v);
     system.acceleration(t, x, v, z, acceleration(i));
   }
   work_.forceEvaluations += static_cast<long long>(count) - 1;
@@ -155,7 +156,7 @@ StageEnd StageIntegrator::advance(const DynamicalSystem& system, const State& fr
 StepResult StageIntegrator::step(const DynamicalSystem& system, const State& from, double h, State& to) {
   provideFirst(system, from);
   const StageEnd end = advance(system, from, h, to);
-  endKnown_ = firstSameAsLast_;
+  endKnown_ = plan_.firstSameAsLast;
   if (endKnown_) endMark_.set(to);
   if (isFinite(end.sum)) return {.done = true, .error = combined(end), .failure = {}};
   return finiteOrFailure(system, from, to, sums_.back().estimates() > 0 ? std::nan("") : 0.0);
@@ -179,7 +180,7 @@ void StageIntegrator::ensureEnd(const DynamicalSystem& system, const State& from
   // With the internal variables of the step: those of `to`, and with them its moved nodes, may be the next one's.
   std::copy(to.x.begin(), to.x.end(), stage_.data(0));
   std::copy(to.v.begin(), to.v.end(), stage_.data(1));
-  evaluate(system, to.t, stage_[0], stage_[1], from.z, firstSameAsLast_ ? stages() - 1 : stages());
+  evaluate(system, to.t, stage_[0], stage_[1], from.z, plan_.firstSameAsLast ? stages() - 1 : stages());
   endKnown_ = true;
   endMark_.set(to);
 }

@@ -6,6 +6,7 @@
 #include "engine/integrators/explicit/tableaus.h"
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace muelle::engine {
@@ -33,13 +34,28 @@ AccelerationTableau accelerationTableau(const ButcherTableau& tableau, const Coe
 /// sum_i w_i a_ij for each j: what is only rounding of terms that cancel is 0.
 Coefficients squared(const Coefficients& w, const std::vector<Coefficients>& a);
 
+/// A method of that kind: what is known of it and its sums. Made once for all runs: a short one takes less time than
+/// this does.
+struct StagePlan {
+  StagePlan(MethodInfo facts, const AccelerationTableau& tableau);
+  /// \param more weights of a second error estimate; may be empty
+  StagePlan(MethodInfo facts, const ButcherTableau& tableau, const Coefficients& more = {})
+      : StagePlan(std::move(facts), accelerationTableau(tableau, more)) {}
+
+  MethodInfo info;
+  std::vector<double> c;
+  std::vector<StageSum> sums;  ///< of each stage, of which the first is empty, and of the end
+  bool firstSameAsLast;
+};
+
 /// What explicit Runge-Kutta and Nystroem methods share: stages in one pass over the accelerations before them, reuse
 /// of accelerations between steps, error estimates and finiteness in the pass that writes the end of the step.
 class StageIntegrator : public Integrator {
  public:
-  StageIntegrator(MethodInfo info, const AccelerationTableau& tableau);
+  /// \param plan is read as long as the method lives
+  explicit StageIntegrator(const StagePlan& plan) : plan_(plan), sums_(plan.sums) {}
 
-  const MethodInfo& info() const override { return info_; }
+  const MethodInfo& info() const override { return plan_.info; }
   void prepare(const DynamicalSystem& system, const Tolerance& tolerance) override;
   StepResult step(const DynamicalSystem& system, const State& from, double h, State& to) override;
   bool hasIncrements() const override { return true; }
@@ -51,7 +67,7 @@ class StageIntegrator : public Integrator {
   /// The estimated error of a step over the tolerance from those of the embedded methods.
   virtual double combined(const StageEnd& end) const { return end.largest[0]; }
 
-  std::size_t stages() const { return c_.size(); }
+  std::size_t stages() const { return plan_.c.size(); }
   std::size_t lanes() const { return size_; }
   const Tolerance& tolerance() const { return tolerance_; }
   /// Room for this many accelerations after the stages; before prepare().
@@ -80,11 +96,10 @@ class StageIntegrator : public Integrator {
   /// The changes of x and v in the step whose accelerations are held.
   void increments(const State& from, double h, State& increment);
 
-  MethodInfo info_;
-  std::vector<double> c_;
-  std::vector<StageSum> sums_;  ///< of each stage, of which the first is empty, and of the end
-  bool firstSameAsLast_;
+  const StagePlan& plan_;
+  std::vector<StageSum> sums_;
   bool velocities_ = true;  ///< the force of the system uses them
+  bool places_ = true;      ///< the system has nodes that are moved
   Tolerance tolerance_;
   std::size_t extra_ = 1;
   std::size_t size_ = 0;
