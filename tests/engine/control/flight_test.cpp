@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -122,6 +123,37 @@ TEST_P(Flight, OfOneBallWaitsForTheOthers) {
   EXPECT_NEAR(heightAt(first.last), high, 1e-7);
   const RunResult second = run(balls({ball(0.37)}), options);
   EXPECT_NEAR(heightAt(second.last), low, 1e-7);
+}
+
+TEST_P(Flight, TellsManyEventsInTheirOrder) {
+  // Balls between floor and ceiling and beside a ball that is fixed, all set off at random: each moves as if alone.
+  std::mt19937 dice(7);
+  const auto between = [&dice](double low, double high) {
+    return low + (high - low) * static_cast<double>(dice()) / static_cast<double>(std::mt19937::max());
+  };
+  for (int scene = 0; scene < 12; ++scene) {
+    Model model = balls({});
+    model.obstacles.push_back(plane("ceiling", between(1.2, 2.0), -1.0));
+    Obstacle sphere = plane("sphere", 0.3, 1.0);
+    sphere.kind = Obstacle::Kind::Sphere;
+    sphere.centre[0] = 0.1;
+    sphere.radius = 0.25;
+    model.obstacles.push_back(sphere);
+    for (int i = 0; i < 5; ++i) model.nodes.push_back(ball(between(0.6, 1.1), between(-4.0, 6.0)));
+    const RunOptions options = within(1e-8, 1.5);
+    const RunResult together = run(model, options);
+    ASSERT_FALSE(together.failed());
+    EXPECT_GE(together.work.events, 10);
+    std::vector<double> heights;
+    for (int i = 0; i < 5; ++i) heights.push_back(heightAt(together.last, i));
+    for (int i = 0; i < 5; ++i) {
+      Model alone = model;
+      alone.nodes = {model.nodes[static_cast<std::size_t>(i)]};
+      const RunResult result = run(alone, options);
+      // A bounce off a ball that is not hit in its middle makes errors ten times as large, and there are several.
+      EXPECT_NEAR(heightAt(result.last), heights[static_cast<std::size_t>(i)], 2e-4) << "scene " << scene;
+    }
+  }
 }
 
 TEST_P(Flight, KeepsToTheLargestStep) {
