@@ -6,8 +6,7 @@
 #include "course/testing/test_function.h"
 #include "scenes.h"
 
-#include <algorithm>
-#include <limits>
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -22,13 +21,16 @@ inline const muelle::TriangleMesh& rabbitMesh() {
 /// What has been asked so far.
 struct Tally {
   long forces = 0, hessians = 0;
-  double farthest = 0;  ///< the largest coordinate that was asked about [m]; infinity when one was no number
+  double farthest = 0;         ///< the largest coordinate that was asked about [m], of those that were numbers
+  bool askedOfNothing = false;  ///< one was no number
 
   long evaluations() const { return forces + hessianWeight * hessians; }
 
   void lookAt(const VecX& x) {
-    const double size = x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff();
-    farthest = x.allFinite() ? std::max(farthest, size) : std::numeric_limits<double>::infinity();
+    for (const double coordinate : x) {
+      if (std::isnan(coordinate)) askedOfNothing = true;
+      if (std::abs(coordinate) > farthest) farthest = std::abs(coordinate);
+    }
   }
 };
 

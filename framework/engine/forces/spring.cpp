@@ -98,11 +98,14 @@ inline double Spring<D>::signedLength(std::size_t i, const Vector& d, const doub
 template <int D>
 inline auto Spring<D>::elasticForce(std::size_t i, const Vector& d, const double* z) const -> Vector {
   const One s = one(i);
+  if (D == 1 && kind_ == SpringKind::Crossing) {
+    // A frozen spring goes through zero length smoothly, by its own side.
+    const double own = *internal(i, z), side = own != 0.0 ? own : d[0] > 0.0 ? 1.0 : d[0] < 0.0 ? -1.0 : 0.0;
+    return Vector::Constant(side == 0.0 ? 0.0 : s.k * (side * s.L0 - d[0]));
+  }
   const double L = length<D>(d);
   if (L == 0.0) {
     if (kind_ == SpringKind::Signed) return Vector::Constant(s.k * s.L0 * side_[i]);
-    // A frozen spring of 1D goes through zero length smoothly: its force there is that of its own side.
-    if (D == 1 && kind_ == SpringKind::Crossing) return s.k * s.L0 * Eigen::Map<const Vector>(internal(i, z));
     return Vector::Zero();
   }
   if (!acts(i, L, z)) return Vector::Zero();

@@ -57,6 +57,8 @@ class Spring final : public ForceBatch, private StiffnessPiece, private Constrai
 
   /// The springs whose force the kernels compute; null where it is computed here.
   const kernels::SpringRun* plainRun() const { return byKernel_ ? &run_ : nullptr; }
+  /// Those of 1D that may be followed through zero length, one internal variable each; null where they are others.
+  const kernels::SpringRun* lineRun() const { return D == 1 && kind_ == SpringKind::Crossing ? &run_ : nullptr; }
 
   bool isConservative() const override { return !isDamped(); }
   bool usesVelocity() const override { return isDamped(); }

@@ -253,15 +253,17 @@ std::optional<GridForce> makeGridForce(const Builder& builder, kernels::GridNumb
       std::move(nodes));
 }
 
-/// All the forces together, where they are a few plain springs of one damping form, and gravity.
+/// All the forces together, where they are a few springs of one damping form, and gravity.
 template <int D>
 std::optional<FewSprings> makeFewSprings(const Builder& builder) {
   const std::size_t springBatches = builder.batches.size() - (builder.model.gravity.isZero(0.0) ? 0 : 1);
   if (springBatches != 1) return std::nullopt;
   const auto* springs = dynamic_cast<const Spring<D>*>(builder.batches.back().get());
-  if (springs == nullptr || springs->plainRun() == nullptr) return std::nullopt;
-  if (springs->plainRun()->size() > FewSprings::most) return std::nullopt;
-  return FewSprings(D, *springs->plainRun(), weights(builder));
+  if (springs == nullptr) return std::nullopt;
+  const bool crossing = springs->lineRun() != nullptr;
+  const kernels::SpringRun* run = crossing ? springs->lineRun() : springs->plainRun();
+  if (run == nullptr || run->size() > FewSprings::most) return std::nullopt;
+  return FewSprings(D, *run, crossing, weights(builder));
 }
 
 template <int D>

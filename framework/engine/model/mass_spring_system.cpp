@@ -140,7 +140,7 @@ void MassSpringSystem::force(double t, In x, In v, In z, Out f) const {
 /// Overwrites a with the accelerations, with or without the drag.
 void MassSpringSystem::accelerate(const Configuration& at, In x, In v, bool withDrag, Out a) const {
   requireEveryLane(a);
-  if (few_ && !(withDrag && drag_)) return few_->accelerate(x, v, inverseMass_, a);
+  if (few_ && !(withDrag && drag_)) return few_->accelerate(at, inverseMass_, a);
   if (grid_) {
     const bool others = onGrid_ < batches_.size();
     if (others) sumForces(at, onGrid_, scratch_.data());

@@ -67,10 +67,16 @@ class Judgement {
 
   static void noteSeen(const std::string& id) { muelle::grader::noteSeen(Trial::function, id); }
 
-  bool hasGrown() const { return !(end_.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < farAway); }
+  /// That it grew before it was no number any more is the cause; else something was divided by zero.
+  std::string whyLost() const {
+    scenes::Tally seen = asked_.tally();
+    seen.lookAt(end_);
+    if (seen.farthest >= farAway) return "grows_without_bound";
+    return seen.askedOfNothing ? "no_number" : "";
+  }
 
   std::string whyStopped() const {
-    if (!(asked_.tally().farthest < farAway)) return "grows_without_bound";
+    if (const std::string lost = whyLost(); !lost.empty()) return lost;
     return asked_.tally().evaluations() > Scene::goal.enough ? "asked_for_ever" : "";
   }
 
@@ -85,7 +91,7 @@ class Judgement {
 
   std::string whyInexact() const {
     if (end_.size() != right_.size()) return "";
-    if (hasGrown()) return "grows_without_bound";
+    if (const std::string lost = whyLost(); !lost.empty()) return lost;
     if (asked_.tally().evaluations() == 0) return "asked_nothing";
     if (isWithoutDraught()) return "draught_left_out";
     const long steps = asked_.tally().forces;

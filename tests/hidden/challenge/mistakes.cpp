@@ -8,6 +8,7 @@
 
 MUELLE_SEEN_MISTAKE(squeezedRabbit, asked_nothing);
 MUELLE_SEEN_MISTAKE(squeezedRabbit, grows_without_bound);
+MUELLE_SEEN_MISTAKE(squeezedRabbit, no_number);
 MUELLE_SEEN_MISTAKE(squeezedRabbit, asked_too_often);
 MUELLE_SEEN_MISTAKE(squeezedRabbit, explicit_euler);
 MUELLE_SEEN_MISTAKE(squeezedRabbit, symplectic_euler);
@@ -17,6 +18,7 @@ MUELLE_SEEN_MISTAKE(squeezedRabbit, too_inexact);
 
 MUELLE_SEEN_MISTAKE(stiffCloth, asked_nothing);
 MUELLE_SEEN_MISTAKE(stiffCloth, grows_without_bound);
+MUELLE_SEEN_MISTAKE(stiffCloth, no_number);
 MUELLE_SEEN_MISTAKE(stiffCloth, asked_for_ever);
 MUELLE_SEEN_MISTAKE(stiffCloth, asked_too_often);
 MUELLE_SEEN_MISTAKE(stiffCloth, backward_euler);
@@ -27,6 +29,7 @@ MUELLE_SEEN_MISTAKE(stiffCloth, too_inexact);
 MUELLE_SEEN_MISTAKE(bouncingBall, asked_nothing);
 MUELLE_SEEN_MISTAKE(bouncingBall, draught_left_out);
 MUELLE_SEEN_MISTAKE(bouncingBall, grows_without_bound);
+MUELLE_SEEN_MISTAKE(bouncingBall, no_number);
 MUELLE_SEEN_MISTAKE(bouncingBall, asked_for_ever);
 MUELLE_SEEN_MISTAKE(bouncingBall, asked_too_often);
 MUELLE_SEEN_MISTAKE(bouncingBall, explicit_euler);
