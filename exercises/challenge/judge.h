@@ -21,7 +21,7 @@ inline const muelle::TriangleMesh& rabbitMesh() {
 /// What has been asked so far.
 struct Tally {
   long forces = 0, hessians = 0;
-  double farthest = 0;         ///< the largest coordinate that was asked about [m], of those that were numbers
+  double farthest = 0;          ///< the largest coordinate that was asked about [m], of those that were numbers
   bool askedOfNothing = false;  ///< one was no number
 
   long evaluations() const { return forces + hessianWeight * hessians; }

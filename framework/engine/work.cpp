@@ -4,6 +4,7 @@ namespace muelle::engine {
 
 Work& Work::operator+=(const Work& other) {
   steps += other.steps;
+  flights += other.flights;
   rejectedSteps += other.rejectedSteps;
   forceEvaluations += other.forceEvaluations;
   jacobians += other.jacobians;

@@ -284,6 +284,7 @@ Advance Simulation::finishStep(const PlannedStep& step) {
 }
 
 void Simulation::move(const PlannedStep& step) {
+  if (fliesFreely()) ++work_.flights;
   std::swap(state_, other_);
   hasStep_ = toAccept_ = true;
   ++work_.steps;
@@ -340,7 +341,7 @@ void Simulation::addEvent(std::string what) {
 
 Work Simulation::work() const {
   Work all = method_.work();
-  all.steps = all.rejectedSteps = all.events = 0;  // counted here
+  all.steps = all.flights = all.rejectedSteps = all.events = 0;  // counted here
   all += work_;
   return all;
 }

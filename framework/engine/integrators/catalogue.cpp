@@ -5,6 +5,7 @@
 #include "engine/integrators/explicit/methods.h"
 #include "engine/integrators/implicit/methods.h"
 #include "engine/integrators/position_based/methods.h"
+#include "engine/integrators/standing.h"
 
 #include <fmt/format.h>
 #include <stdexcept>
@@ -37,7 +38,6 @@ constexpr MakeMethod makers[] = {
     bdf2,
     trBdf2,
     esdirk4,
-    newmark,
     implicitMidpoint,
     discreteGradient,
     [] { return xpbd(); },
@@ -101,13 +101,13 @@ constexpr std::pair<std::string_view, std::string_view> namesElsewhere[] = {
     {"bdf1", "backward_euler"},
     {"bdf", "bdf2"},
     {"gear2", "bdf2"},
-    {"trapezoid", "newmark"},
-    {"trapezoidal", "newmark"},
-    {"trapezoidalrule", "newmark"},
-    {"cranknicolson", "newmark"},
-    {"cranknicholson", "newmark"},
-    {"newmarkbeta", "newmark"},
-    {"averageacceleration", "newmark"},
+    {"trapezoid", "implicit_midpoint"},
+    {"trapezoidal", "implicit_midpoint"},
+    {"trapezoidalrule", "implicit_midpoint"},
+    {"cranknicolson", "implicit_midpoint"},
+    {"cranknicholson", "implicit_midpoint"},
+    {"newmarkbeta", "implicit_midpoint"},
+    {"averageacceleration", "implicit_midpoint"},
     {"gauss1", "implicit_midpoint"},
     {"gonzalez", "discrete_gradient"},
     {"averagevectorfield", "discrete_gradient"},
@@ -147,6 +147,9 @@ const std::vector<std::string>& methodIds() {
 }
 
 std::string methodSuggestion(const std::string& word) {
+  for (const GoneMethod& method : goneMethods()) {
+    if (word == method.id) return fmt::format("; it has gone (docs/methods.md says why), take '{}'", method.instead);
+  }
   const std::string letters = bare(word);
   for (const std::string& id : methodIds()) {
     if (bare(id) == letters) return fmt::format("; here it is '{}'", id);

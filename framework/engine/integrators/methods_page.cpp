@@ -1,6 +1,7 @@
 #include "engine/integrators/methods_page.h"
 
 #include "engine/integrators/catalogue.h"
+#include "engine/integrators/standing.h"
 
 #include <fmt/format.h>
 #include <cmath>
@@ -58,6 +59,34 @@ std::string characterOf(const MethodInfo& info) {
 
 std::string costOf(const MethodInfo& info) { return info.stages > 0 ? std::to_string(info.stages) : "solve"; }
 
+std::string whyItStays(const Standing& standing) {
+  switch (standing.because) {
+    case Standing::Because::Exercise:
+      return fmt::format("the exercise {}", standing.where);
+    case Standing::Because::Figure:
+      return fmt::format("the figure {} of the lecture", standing.where);
+    case Standing::Because::Plane:
+      return fmt::format("the fastest of ours on the scene {} of ./muelle bench", standing.where);
+    case Standing::Because::Alone:
+      return std::string(standing.where);
+  }
+  return {};
+}
+
+/// What stays and why, and what has gone.
+std::string standingsInWords() {
+  std::string text =
+      "\n## Which methods are here\n\nWhat wins an entry of the plane of speed against error, or stands in an exercise "
+      "or a figure, or is the only one of its\nkind. The rest goes.\n\n| method | is here for |\n|---|---|\n";
+  for (const Standing& standing : standings())
+    text += fmt::format("| `{}` | {} |\n", standing.id, whyItStays(standing));
+  text += "\nGone:\n\n";
+  for (const GoneMethod& method : goneMethods()) {
+    text += fmt::format("- `{}`; take `{}`. {}.\n", method.id, method.instead, method.why);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string methodsPage() {
@@ -74,6 +103,7 @@ std::string methodsPage() {
                         limitInWords(info.imaginaryLimit), limitInWords(info.realLimit), conservedBy(info),
                         characterOf(info));
   }
+  page += standingsInWords();
   for (const std::string& id : methodIds()) {
     const MethodInfo& info = methodInfo(id);
     page += fmt::format("\n## {}\n\n`{}` needs {}.\n\n    {}\n\n{}\n\nSource: {}.\n", info.name, id, neededBy(info),

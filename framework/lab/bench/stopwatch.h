@@ -10,7 +10,9 @@ using Clock = std::function<double()>;
 /// rate feel it.
 double processorTime();
 
-/// Seconds that a call of `work` takes: calls it until `least` seconds have passed, at least once, and divides.
+/// Seconds that a call of `work` takes: calls it until `least` seconds have passed, at least once, and divides. Between
+/// two looks at the clock it calls it as often as before, so that the looks cost nothing: at most 2 `least` pass, or
+/// one call.
 double secondsOf(const std::function<void()>& work, const Clock& now, double least);
 
 }  // namespace muelle::bench

@@ -42,7 +42,6 @@ std::string shortName(const std::string& method) {
                                                            {"tr_bdf2", "TRB2"},
                                                            {"esdirk4", "ESD4"},
                                                            {"linearised_backward_euler", "LBE"},
-                                                           {"newmark", "NM"},
                                                            {"implicit_midpoint", "IM"},
                                                            {"discrete_gradient", "DG"},
                                                            {"xpbd", "XPBD"},

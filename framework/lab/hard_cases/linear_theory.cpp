@@ -193,7 +193,7 @@ std::optional<Block> stepMatrix(const std::string& id, const Mode& m, Real h) {
   if (id == "backward_euler" || id == "linearised_backward_euler" || id == "projective_dynamics") {
     return backwardEuler(Z);
   }
-  if (id == "newmark" || id == "implicit_midpoint" || id == "discrete_gradient") return midpoint(Z);
+  if (id == "implicit_midpoint" || id == "discrete_gradient") return midpoint(Z);
   if (id == "tr_bdf2") return trBdf2(Z);
   if (id == "xpbd") return power(backwardEuler(Z / 20), 20);  // its substeps
   return std::nullopt;

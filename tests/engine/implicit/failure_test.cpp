@@ -21,7 +21,7 @@ using testing::start;
 using Vector = Eigen::VectorXd;
 
 using Make = std::unique_ptr<Integrator> (*)();
-constexpr Make methods[] = {backwardEuler,    linearisedBackwardEuler, bdf2, trBdf2, esdirk4, newmark,
+constexpr Make methods[] = {backwardEuler,    linearisedBackwardEuler, bdf2, trBdf2, esdirk4,
                             implicitMidpoint, discreteGradient};
 
 /// A force alone: no energy, no derivatives.
@@ -92,7 +92,7 @@ class Turning : public DynamicalSystem, public Linearisation {
 
 TEST(NonSymmetricJacobian, IsUsedWhereThereIsNoPotential) {
   const Turning system;
-  for (const Make make : {backwardEuler, bdf2, newmark, implicitMidpoint}) {
+  for (const Make make : {backwardEuler, bdf2, implicitMidpoint}) {
     const auto method = make();
     method->prepare(system, {});
     State from = start({1.0, 0.2}, {0.0, 0.5}), to = from;

@@ -68,9 +68,9 @@ TEST(Stopwatch, AShortRunIsRepeatedAndItsTimeIsTheMean) {
   FakeClock clock;
   int calls = 0;
   const auto work = [&] { clock.time += ++calls % 2 == 0 ? 0.25 : 0.125; };  // binary fractions: sums are exact
-  // 0.125 + 0.25 + 0.125 + 0.25 + 0.125 + 0.25 = 1.125 is the first sum that is not below 1.
-  EXPECT_DOUBLE_EQ(secondsOf(work, clock.read(), 1.0), 1.125 / 6.0);
-  EXPECT_EQ(calls, 6);
+  // Looked at after 1, 2, 4 and 8 calls: 0.125, 0.375, 0.75 and 1.5, the first that is not below 1.
+  EXPECT_DOUBLE_EQ(secondsOf(work, clock.read(), 1.0), 1.5 / 8.0);
+  EXPECT_EQ(calls, 8);
 }
 
 TEST(Stopwatch, TheProcessorsTimeGrowsWithWork) {

@@ -122,8 +122,7 @@ TEST(SlidingFriction, ComesToRestWithEveryMethod) {
       EXPECT_LE(off(id, options), std::max(10.0 * tolerance, swing)) << id << " at " << tolerance;
     }
   }
-  for (const char* id :
-       {"velocity_verlet", "backward_euler", "bdf2", "newmark", "implicit_midpoint", "discrete_gradient"}) {
+  for (const char* id : {"velocity_verlet", "backward_euler", "bdf2", "implicit_midpoint", "discrete_gradient"}) {
     RunOptions options;
     options.duration = duration;
     options.h = 0.01;

@@ -11,7 +11,6 @@ std::unique_ptr<Integrator> linearisedBackwardEuler();
 std::unique_ptr<Integrator> bdf2();
 std::unique_ptr<Integrator> trBdf2();
 std::unique_ptr<Integrator> esdirk4();
-std::unique_ptr<Integrator> newmark();
 std::unique_ptr<Integrator> implicitMidpoint();
 std::unique_ptr<Integrator> discreteGradient();
 

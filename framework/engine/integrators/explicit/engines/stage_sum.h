@@ -19,6 +19,7 @@ class StageSum {
            const std::vector<Coefficients>& ev = {});
   StageSum(const StageSum& other) : exact_(other.exact_) { begin(); }
   StageSum& operator=(const StageSum& other) {
+    if (this == &other) return *this;
     exact_ = other.exact_;
     begin();
     return *this;
