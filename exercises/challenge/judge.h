@@ -22,13 +22,13 @@ inline const muelle::TriangleMesh& rabbitMesh() {
 struct Tally {
   long forces = 0, hessians = 0;
   double farthest = 0;          ///< the largest coordinate that was asked about [m], of those that were numbers
-  bool askedOfNothing = false;  ///< one was no number
+  bool hasLostNumbers = false;  ///< one was no number
 
   long evaluations() const { return forces + hessianWeight * hessians; }
 
   void lookAt(const VecX& x) {
     for (const double coordinate : x) {
-      if (std::isnan(coordinate)) askedOfNothing = true;
+      if (std::isnan(coordinate)) hasLostNumbers = true;
       if (std::abs(coordinate) > farthest) farthest = std::abs(coordinate);
     }
   }

@@ -1,6 +1,7 @@
 #include "engine/control/event_locator.h"
 
 #include "engine/control/step_grid.h"
+#include "engine/control/uniform_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,15 +18,6 @@ constexpr int mostReorderings = 8;
 
 int signOf(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
 
-void moveAlong(const State& state, double dt, const std::vector<double>& acceleration, State& out) {
-  out = state;
-  out.t += dt;
-  for (std::size_t i = 0; i < state.x.size(); ++i) {
-    out.x[i] += dt * (state.v[i] + 0.5 * dt * acceleration[i]);
-    out.v[i] += dt * acceleration[i];
-  }
-}
-
 }  // namespace
 
 EventLocator::EventLocator(const DynamicalSystem& system, Stepper& stepper)
@@ -33,6 +25,7 @@ EventLocator::EventLocator(const DynamicalSystem& system, Stepper& stepper)
   const auto count = static_cast<std::size_t>(switching_.guardCount());
   side_.assign(count, 0);
   for (std::vector<double>* numbers : {&values_, &atFrom_, &atTo_, &slopeFrom_, &slopeTo_}) numbers->assign(count, 0.0);
+  meanAcceleration_.assign(static_cast<std::size_t>(system.storage()), 0.0);
 }
 
 const std::vector<double>& EventLocator::guards(const State& state) {
@@ -62,7 +55,7 @@ void EventLocator::start(State& state, double h) {
   guards(state);
   for (const double fraction : {1e-9, 1e-6, 1e-3}) {
     if (std::none_of(values_.begin(), values_.end(), isZero)) break;
-    moveAlong(state, fraction * h, acceleration, inside_);
+    moveUniformly(state, fraction * h, acceleration, inside_);
     system_.place(inside_.t, inside_.z, inside_.x, inside_.v);
     switching_.commit(inside_, false);  // live, so that the modes are decided anew
     switching_.commit(inside_, true);
@@ -90,34 +83,30 @@ void EventLocator::settle(const State& state) {
   crossed_.clear();
 }
 
-/// The rate of the guards at one end of the step, looking into the step (sign +1 at its begin, -1 at its end).
-void EventLocator::slopes(const State& state, const State& from, const State& to, double sign,
-                          std::vector<double>& out) {
-  const double h = to.t - from.t;
-  const double dt = sign * 1e-4 * h;
-  inside_ = state;
-  inside_.t += dt;
-  for (std::size_t i = 0; i < state.x.size(); ++i) {
-    const double a = (to.v[i] - from.v[i]) / h;
-    inside_.x[i] += dt * (state.v[i] + 0.5 * dt * a);
-    inside_.v[i] += dt * a;
-  }
-  out = guards(state);
+/// The rate of the guards at one end of the step, where they are `here`, looking into the step for a time of dt.
+void EventLocator::slopes(const State& state, const std::vector<double>& here, double dt, std::vector<double>& out) {
+  moveUniformly(state, dt, meanAcceleration_, inside_);
   guards(inside_);
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = (values_[i] - out[i]) / dt;
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = (values_[i] - here[i]) / dt;
+}
+
+/// Whether guard i goes towards its zero at the step's begin and away from it at its end.
+bool EventLocator::turnsBack(std::size_t i) const {
+  return side_[i] * slopeFrom_[i] < 0.0 && side_[i] * slopeTo_[i] > 0.0;
 }
 
 /// Whether a guard with the same sign at both ends could be 0 in between: the cubic through values and slopes stays
 /// within (|slope0| + |slope1|) h / 4 of its ends; twice that, to be safe.
 bool EventLocator::mayCrossTwice(const State& from, const State& to) {
   const double h = stepLength_ = to.t - from.t;
+  for (std::size_t i = 0; i < meanAcceleration_.size(); ++i) meanAcceleration_[i] = (to.v[i] - from.v[i]) / h;
   atFrom_ = guards(from);
-  slopes(from, from, to, 1.0, slopeFrom_);
-  slopes(to, from, to, -1.0, slopeTo_);
+  slopes(from, atFrom_, 1e-4 * h, slopeFrom_);
+  slopes(to, atTo_, -1e-4 * h, slopeTo_);
   for (std::size_t i = 0; i < side_.size(); ++i) {
     const double nearest = std::min(std::abs(atFrom_[i]), std::abs(atTo_[i]));
-    const bool towards = side_[i] * slopeFrom_[i] < 0.0 && side_[i] * slopeTo_[i] > 0.0;
-    if (towards && nearest <= 0.5 * h * (std::abs(slopeFrom_[i]) + std::abs(slopeTo_[i]))) return true;
+    const double reach = 0.5 * h * (std::abs(slopeFrom_[i]) + std::abs(slopeTo_[i]));
+    if (turnsBack(i) && nearest <= reach) return true;
   }
   return false;
 }
@@ -139,8 +128,7 @@ void EventLocator::takeScanTimes() {
   scanTimes_.clear();
   for (int k = 1; k <= samples; ++k) scanTimes_.push_back(static_cast<double>(k) / samples);
   for (std::size_t i = 0; i < side_.size() && scanTimes_.size() < mostSamples; ++i) {
-    const bool turns = side_[i] * slopeFrom_[i] < 0.0 && side_[i] * slopeTo_[i] > 0.0;
-    if (!turns) continue;
+    if (!turnsBack(i)) continue;
     const double theta = slopeFrom_[i] / (slopeFrom_[i] - slopeTo_[i]);
     const double farthest = atFrom_[i] + 0.5 * theta * stepLength_ * slopeFrom_[i];
     if (side_[i] * farthest < 0.0) scanTimes_.push_back(theta);

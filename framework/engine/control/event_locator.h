@@ -8,9 +8,10 @@ namespace muelle::engine {
 /// Watches the guards of a system over each step, and finds the state at the first sign change.
 ///
 /// A sign change is seen at the step's end or, when the guard's values and slopes at both ends allow a double crossing,
-/// at seven points inside by dense output. It is then located by steps of shorter length from the step's begin, so that
-/// the state at the event has the method's own accuracy and not that of its dense output. The state returned lies on
-/// the far side of the guard (or exactly on it), at most a few roundings of the time beyond it.
+/// inside: at seven points, and where guards that turn back are farthest out. A sketch of the step, or its dense
+/// output, tells about when; then steps of shorter length from the step's begin locate it, so that the state at the
+/// event has the method's own accuracy. The state returned lies on the far side of the guard (or exactly on it), at
+/// most a few roundings of the time beyond it.
 ///
 /// The side of a guard is remembered, not read off a value that is only rounding: a guard does not trigger again when
 /// it is exactly 0 or on the near side by a rounding just after its event.
@@ -51,7 +52,8 @@ class EventLocator {
   bool mayCrossTwice(const State& from, const State& to);
   void takeScanTimes();
   void seeBeyond(const State& state, const std::vector<double>& values, double low, double high);
-  void slopes(const State& state, const State& from, const State& to, double sign, std::vector<double>& out);
+  void slopes(const State& state, const std::vector<double>& here, double dt, std::vector<double>& out);
+  bool turnsBack(std::size_t i) const;
   bool scan(const State& from, const State& to, Look look);
   Root denseRoot(int i, const State& from, const State& to, Look look);
   int wellBeyond(int but) const;
@@ -65,6 +67,7 @@ class EventLocator {
   std::vector<int> crossed_;
   double scanLow_ = 0.0, scanHigh_ = 1.0;  // the part of the step in which scan() saw the first change
   double stepLength_ = 0.0;                // [s], of the step that mayCrossTwice() has seen
+  std::vector<double> meanAcceleration_;   // [m/s^2] by lanes, over that step
   std::vector<double> scanTimes_;          // looked at, in parts of the step
   std::vector<int> scanChanged_;
   State inside_;

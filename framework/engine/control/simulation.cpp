@@ -81,16 +81,13 @@ void Simulation::startErrorControl() {
   }
   method_.measureErrorsBy(scale_->scale());
   chooseFirstStep();
-  toChooseStep_ = fliesFreely();
+  toChooseStep_ = stepper_.flies(state_);
 }
 
 void Simulation::chooseFirstStep() {
   planner_.chooseFirstStep(state_, std::max(1, method_.info().order), scale_->scale(), work_);
   toChooseStep_ = false;
 }
-
-/// Whether the next step is free flight, which is as long as it may be and no step of the method.
-bool Simulation::fliesFreely() const { return modes_.frozen() && stepper_.flies(state_); }
 
 void Simulation::setState(State state) {
   if (state.t != state_.t) {
@@ -160,7 +157,7 @@ Advance Simulation::advance() {
   tellMethod();
   tried_ = true;
   retries_ = 0;
-  const bool flies = fliesFreely();
+  const bool flies = stepper_.flies(state_);
   if (!flies && toChooseStep_) chooseFirstStep();  // no flight tells how long the method's steps should be
   PlannedStep step = flies ? planner_.planFlight(state_.t) : planner_.plan(state_.t);
   cutAtObstacles(step);
@@ -207,7 +204,7 @@ bool Simulation::take(PlannedStep& step) {
       again = retryInexact(step, result);
     } else {
       if (looksAtEnergy() && !goesOn(monitor_.checkEnergy(state_, other_))) return false;
-      if (!fliesFreely()) planner_.accept(step.length, result.error);
+      if (!stepper_.flew()) planner_.accept(step.length, result.error);
       if (!modes_.frozen()) return true;  // no events are looked for
       const StepResult located = locateEvent(step);
       if (located.done) return true;
@@ -284,7 +281,7 @@ Advance Simulation::finishStep(const PlannedStep& step) {
 }
 
 void Simulation::move(const PlannedStep& step) {
-  if (fliesFreely()) ++work_.flights;
+  if (stepper_.flew()) ++work_.flights;
   std::swap(state_, other_);
   hasStep_ = toAccept_ = true;
   ++work_.steps;

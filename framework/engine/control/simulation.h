@@ -103,7 +103,6 @@ class Simulation {
   void begin();
   void startErrorControl();
   void chooseFirstStep();
-  bool fliesFreely() const;
   void tellMethod();
   void setMethodAside();
   void prepareAgain();

@@ -1,5 +1,6 @@
 #include "engine/control/stepper.h"
 
+#include "engine/control/uniform_motion.h"
 #include "engine/integrators/explicit/engines/step_finish.h"
 
 #include <algorithm>
@@ -22,14 +23,6 @@ void addCompensated(const std::vector<double>& from, const std::vector<double>& 
   }
 }
 
-/// Turns increments into the state after them.
-void addTo(const State& from, State& increments) {
-  for (std::size_t i = 0; i < from.x.size(); ++i) {
-    increments.x[i] += from.x[i];
-    increments.v[i] += from.v[i];
-  }
-}
-
 }  // namespace
 
 Stepper::Stepper(const DynamicalSystem& system, Integrator& method, bool compensated, bool flights, std::size_t size)
@@ -41,23 +34,10 @@ Stepper::Stepper(const DynamicalSystem& system, Integrator& method, bool compens
   }
 }
 
-/// Free flight for a time of h, or its increments.
-void Stepper::fly(const State& from, double h, State& to) const {
-  const In a = system_.flight(from.z);
-  to.x.resize(from.x.size());
-  to.v.resize(from.v.size());
-  to.z = from.z;
-  for (std::size_t i = 0; i < from.x.size(); ++i) {
-    to.x[i] = h * (from.v[i] + 0.5 * h * a[i]);
-    to.v[i] = h * a[i];
-  }
-}
-
 /// The state at the end of the step; compensated: the increments to it.
 StepResult Stepper::advance(const State& from, double h, State& to) {
-  if (!flying_) return compensated_ ? method_.stepIncrement(system_, from, h, to) : method_.step(system_, from, h, to);
-  fly(from, h, to);
-  if (!compensated_) addTo(from, to);
+  if (!flew_) return compensated_ ? method_.stepIncrement(system_, from, h, to) : method_.step(system_, from, h, to);
+  (compensated_ ? uniformIncrement : moveUniformly)(from, h, system_.flight(from.z), to);
   const bool finite = firstNotFinite(to.x) < 0 && firstNotFinite(to.v) < 0;
   return {.done = finite, .error = 0.0, .failure = finite ? "" : "the flight leads beyond all numbers"};
 }
@@ -67,7 +47,7 @@ StepResult Stepper::step(const State& from, double h, double t, State& to) {
     to.x = low_.x;
     to.v = low_.v;
   }
-  flying_ = flies(from);
+  flew_ = flies(from);
   StepResult result = advance(from, h, to);
   if (compensated_ && result.done) {
     addCompensated(from.x, low_.x, to.x, nextLow_.x);
@@ -80,18 +60,16 @@ StepResult Stepper::step(const State& from, double h, double t, State& to) {
 }
 
 void Stepper::interpolate(const State& from, const State& to, double theta, State& out) {
-  if (!flying_) {
+  if (!flew_) {
     method_.interpolate(system_, from, to, theta, out);
   } else {
-    out.t = from.t + theta * (to.t - from.t);
-    fly(from, theta * (to.t - from.t), out);
-    addTo(from, out);
+    moveUniformly(from, theta * (to.t - from.t), system_.flight(from.z), out);
   }
   system_.place(out.t, out.z, out.x, out.v);
 }
 
 void Stepper::sketch(const State& from, const State& to, double theta, State& out) {
-  if (flying_) return interpolate(from, to, theta, out);
+  if (flew_) return interpolate(from, to, theta, out);
   method_.sketch(system_, from, to, theta, out);
   system_.place(out.t, out.z, out.x, out.v);
 }
@@ -103,7 +81,7 @@ void Stepper::forget() {
 
 void Stepper::accept() {
   std::swap(low_, nextLow_);
-  if (!flying_) method_.accept();
+  if (!flew_) method_.accept();
 }
 
 }  // namespace muelle::engine

@@ -20,6 +20,8 @@ class Stepper {
 
   /// Whether a step from there is free flight in closed form.
   bool flies(const State& from) const { return flights_ && !system_.flight(from.z).empty(); }
+  /// Whether the last step was.
+  bool flew() const { return flew_; }
 
   /// A step from `from` of length h that ends at time t. May be called again from the same state.
   StepResult step(const State& from, double h, double t, State& to);
@@ -39,13 +41,12 @@ class Stepper {
   };
 
   StepResult advance(const State& from, double h, State& to);
-  void fly(const State& from, double h, State& to) const;
 
   const DynamicalSystem& system_;
   Integrator& method_;
   bool compensated_;
   bool flights_;
-  bool flying_ = false;  ///< the last step was free flight
+  bool flew_ = false;  ///< the last step was free flight
   Low low_, nextLow_;
 };
 

@@ -147,10 +147,12 @@ const std::vector<std::string>& methodIds() {
 }
 
 std::string methodSuggestion(const std::string& word) {
-  for (const GoneMethod& method : goneMethods()) {
-    if (word == method.id) return fmt::format("; it has gone (docs/methods.md says why), take '{}'", method.instead);
-  }
   const std::string letters = bare(word);
+  for (const GoneMethod& method : goneMethods()) {
+    if (letters == bare(method.id)) {
+      return fmt::format("; it has gone (docs/methods.md says why), take '{}'", method.instead);
+    }
+  }
   for (const std::string& id : methodIds()) {
     if (bare(id) == letters) return fmt::format("; here it is '{}'", id);
   }

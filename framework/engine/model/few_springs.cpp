@@ -1,6 +1,6 @@
 #include "engine/model/few_springs.h"
 
-#include "engine/kernels/loops/spring_force.h"
+#include "engine/kernels/loops/group_loop.h"
 
 #include <utility>
 
@@ -13,21 +13,14 @@ void FewSprings::sum(const FewSprings& self, const Configuration& at, const doub
   const kernels::SpringArrays s = self.springs_.arrays();
   for (std::size_t i = 0; i < count; ++i) a[i] = weight[i];
   for (std::size_t i = 0; i < s.count; ++i) {
-    const int first = s.a[i], second = s.b[i];
-    double d[D], w[D] = {}, F[D];
-    for (int c = 0; c < D; ++c) d[c] = at.x[first + c] - at.x[second + c];
-    if constexpr (relative || projected) {
-      for (int c = 0; c < D; ++c) w[c] = at.v[first + c] - at.v[second + c];
-    }
     if (crossing && at.z[i] != 0.0) {  // frozen on its side
-      F[0] = s.k[i] * (at.z[i] * s.L0[i] - d[0]);
-      if constexpr (relative) F[0] -= s.dRelative[i] * w[0];
+      double F = s.k[i] * (at.z[i] * s.L0[i] - (at.x[s.a[i]] - at.x[s.b[i]]));
+      if constexpr (relative) F -= s.dRelative[i] * (at.v[s.a[i]] - at.v[s.b[i]]);
+      a[s.a[i]] += F;
+      a[s.b[i]] -= F;
     } else {
-      kernels::springForce<D, relative, projected>(
-          d, w, {s.k[i], s.L0[i], relative ? s.dRelative[i] : 0.0, projected ? s.dProjected[i] : 0.0}, F);
+      kernels::addOneSpring<D, relative, projected>(s, i, at.x, at.v, a);
     }
-    for (int c = 0; c < D; ++c) a[first + c] += F[c];
-    for (int c = 0; c < D; ++c) a[second + c] -= F[c];
   }
   for (std::size_t i = 0; i < count; ++i) a[i] *= inverseMass[i];
 }

@@ -72,7 +72,7 @@ class Judgement {
     scenes::Tally seen = asked_.tally();
     seen.lookAt(end_);
     if (seen.farthest >= farAway) return "grows_without_bound";
-    return seen.askedOfNothing ? "no_number" : "";
+    return seen.hasLostNumbers ? "no_number" : "";
   }
 
   std::string whyStopped() const {
