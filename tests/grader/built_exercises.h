@@ -16,6 +16,8 @@ class BuiltExercises {
                   [&](const Manifest& each) { return !std::filesystem::exists(workplace.hiddenProgram(each.topic)); });
   }
 
+  const std::vector<Manifest>& all() const { return exercises_; }
+
   /// Whether a submission's folder holds the file of one of them.
   bool haveOneOf(const std::filesystem::path& submission) const {
     return std::ranges::any_of(exercises_, [&submission](const Manifest& each) {

@@ -2,10 +2,10 @@
 /// No student's code in a process that knows an expected value, and no expected value in a process that runs a
 /// student's code: read off the symbols of the programs built for each exercise.
 
-#include "base/build_paths.h"
 #include "base/file.h"
 #include "base/process/child.h"
-#include "course/manifest.h"
+#include "grader/built_exercises.h"
+#include "grader/run/workplace.h"
 
 #include <gtest/gtest.h>
 
@@ -55,13 +55,12 @@ std::vector<std::string> functionsOf(const std::string& contract) {
 }
 
 std::vector<Exercise> exercises() {
-  namespace fs = std::filesystem;
-  const fs::path source = muelle::build_paths::source, binary = muelle::build_paths::binary;
+  const auto workplace = muelle::grader::Workplace::ofThisBuild();
   std::vector<Exercise> exercises;
-  for (const muelle::Manifest& manifest : muelle::readCourse(source / "exercises")) {
+  for (const muelle::Manifest& manifest : muelle::grader::BuiltExercises(workplace).all()) {
     const std::string& topic = manifest.topic;
-    exercises.push_back({topic, binary / "hidden" / ("hidden_" + topic), binary / "lib" / ("libglue_" + topic + ".a"),
-                         functionsOf(muelle::readFile(source / "exercises" / topic / (topic + ".h")))});
+    exercises.push_back({topic, workplace.hiddenProgram(topic), workplace.glue(topic),
+                         functionsOf(muelle::readFile(workplace.contract(topic)))});
     EXPECT_FALSE(exercises.back().functions.empty()) << topic;
   }
   EXPECT_FALSE(exercises.empty());
