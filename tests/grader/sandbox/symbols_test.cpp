@@ -56,8 +56,9 @@ std::vector<std::string> functionsOf(const std::string& contract) {
 
 std::vector<Exercise> exercises() {
   const auto workplace = muelle::grader::Workplace::ofThisBuild();
+  const muelle::grader::BuiltExercises built(workplace);
   std::vector<Exercise> exercises;
-  for (const muelle::Manifest& manifest : muelle::grader::BuiltExercises(workplace).all()) {
+  for (const muelle::Manifest& manifest : built.all()) {
     const std::string& topic = manifest.topic;
     exercises.push_back({topic, workplace.hiddenProgram(topic), workplace.glue(topic),
                          functionsOf(muelle::readFile(workplace.contract(topic)))});
