@@ -26,6 +26,8 @@ class DynamicalSystem : public muelle::DynamicalSystem {
   virtual std::span<const double> inverseMass() const;
   /// Overwrites a with F/m [m/s^2], 0 in lanes that are no unknowns.
   virtual void acceleration(double t, In x, In v, In z, Out a) const;
+  /// What an acceleration is rounded to, in parts of the largest: for who takes differences of two.
+  virtual double accelerationRounding() const { return std::numeric_limits<double>::epsilon(); }
   /// Whether place() writes anything.
   virtual bool movesNodes() const { return true; }
   /// Writes the lanes of moved nodes, which are functions of t. Whoever makes an x or v for a time (a stage, the end of

@@ -4,7 +4,6 @@
 #include "engine/kernels/loops/spring_force.h"
 
 #include <algorithm>
-#include <cstdint>
 
 namespace muelle::engine::kernels {
 
@@ -33,6 +32,16 @@ void addLooseSpring(const SpringData& s, const PlanarState& at, const PlanarFini
   }
 }
 
+/// Whether no product of the material with what FixedWindow allows leaves the range of a float.
+bool isWithinFloats(const GridRun& run) {
+  constexpr double largest = 1e12;
+  const auto isSmall = [](double value) { return value <= largest; };
+  return std::ranges::all_of(run.k, isSmall) && std::ranges::all_of(run.L0, isSmall) &&
+         std::ranges::all_of(run.dRelative, isSmall) && std::ranges::all_of(run.dProjected, isSmall);
+}
+
+std::vector<float> rounded(const std::vector<double>& values) { return {values.begin(), values.end()}; }
+
 }  // namespace
 
 std::size_t planeFor(std::size_t nodes) {
@@ -45,57 +54,48 @@ std::size_t planeFor(std::size_t nodes) {
 }
 
 GridSprings::GridSprings(int dimension, std::size_t nodes, std::vector<GridRun> runs, std::vector<SpringData> loose,
-                         std::size_t block)
+                         std::size_t block, Precision precision)
     : dimension_(dimension),
+      nodes_(nodes),
       lanes_(roundedUp(nodes, cacheLine)),
       block_(roundedUp(block ? block : usualBlock, cacheLine)),
+      precision_(dimension > 1 ? precision : Precision::Double),
       runs_(std::move(runs)),
       loose_(std::move(loose)) {
-  std::size_t size = 0;
-  for (const GridRun& run : runs_) {
-    buffers_.push_back(bufferFor(run.stride, size));
-    planes_.push_back(buffers_.back().plane);
-    size += static_cast<std::size_t>(dimension_) * buffers_.back().plane;
-  }
-  scratch_.resize(size + cacheLine);
   gap_.resize(runs_.size());
-  own_.resize(runs_.size());
-  past_.resize(runs_.size());
-}
-
-GridSprings::Buffer GridSprings::bufferFor(std::size_t stride, std::size_t offset) const {
-  Buffer buffer = {stride, 0, 0, 0, offset};
-  // A copy of what the next block needs, as long as that is little; or there is no next block.
-  if (stride <= 2 * block_ || lanes_ <= block_) {
-    buffer.lead = roundedUp(stride, cacheLine);
-    buffer.plane = buffer.lead + block_;
-  } else {
-    buffer.ring = roundedUp(stride, block_) + 2 * block_;
-    buffer.plane = buffer.ring + block_;
+  if (!std::ranges::all_of(runs_, isWithinFloats)) precision_ = Precision::Double;
+  if (precision_ == Precision::Double) return;
+  for (const GridRun& run : runs_) {
+    single_.push_back({rounded(run.k), rounded(run.L0), rounded(run.dRelative), rounded(run.dProjected)});
   }
-  buffer.plane += 9 * cacheLine;  // the components apart in the sets of the first cache
-  return buffer;
 }
 
-double* GridSprings::scratch() const {
-  const auto address = reinterpret_cast<std::uintptr_t>(scratch_.data());
-  return scratch_.data() + (cacheLine - address / sizeof(double) % cacheLine) % cacheLine;
-}
-
-void GridSprings::evaluate(const PlanarState& at, const PlanarFinish& finish) const {
-  clearPast();
+/// Block by block the springs of each run, by `force(run's number, begin, end, where to)`, then the sums of its nodes,
+/// by `pass(sums, begin, end)`.
+template <class Real, class RunForce, class Pass>
+void GridSprings::sweep(GridBuffers<Real>& buffers, const RunForce& force, const Pass& pass) const {
+  buffers.clear();
   std::fill(gap_.begin(), gap_.end(), std::size_t{0});
-  const auto pass = kernels().planarPass[dimension_ - 1];
   for (std::size_t begin = 0; begin < lanes_; begin += block_) {
     const std::size_t end = std::min(begin + block_, lanes_);
     for (std::size_t r = 0; r < runs_.size(); ++r) {
-      runBlock(r, at, begin, end);
-      own_[r] = scratch() + buffers_[r].own(begin);
-      past_[r] = scratch() + buffers_[r].past(begin);
+      const GridRun& run = runs_[r];
+      const std::size_t from = std::clamp(run.begin, begin, end), to = std::clamp(run.end, from, end);
+      if (from < to) force(r, from, to, PlanesOf<Real>{buffers.own(r, begin) + (from - begin), buffers.plane(r)});
+      buffers.clearRest(r, begin, from, to, end);
+      for (; gap_[r] < run.gaps.size() && run.gaps[gap_[r]] < end; ++gap_[r]) {
+        buffers.clearNode(r, begin, run.gaps[gap_[r]]);
+      }
+      buffers.repeatFirst(r, begin, end);
     }
-    pass({runs_.size(), own_.data(), past_.data(), planes_.data()}, finish, begin, end);
-    for (std::size_t r = 0; r < runs_.size(); ++r) keepPast(r, begin, end);
+    pass({runs_.size(), buffers.ownOfAll(begin), buffers.pastOfAll(begin), buffers.planes()}, begin, end);
+    buffers.keepPast(begin, end);
   }
+}
+
+void GridSprings::evaluate(const PlanarState& at, const PlanarFinish& finish) const {
+  const bool isSingle = precision_ == Precision::Single && finish.added != finish.out && evaluateSingle(at, finish);
+  if (!isSingle) evaluateDouble(at, finish);
   for (std::size_t c = 0; c < static_cast<std::size_t>(dimension_); ++c) {
     double* plane = finish.out + c * finish.plane;
     std::fill(plane + lanes_, plane + finish.plane, 0.0);
@@ -103,52 +103,69 @@ void GridSprings::evaluate(const PlanarState& at, const PlanarFinish& finish) co
   addLoose(at, finish);
 }
 
-void GridSprings::clearPast() const {
-  for (const Buffer& buffer : buffers_) {
-    for (std::size_t c = 0; c < static_cast<std::size_t>(dimension_); ++c) {
-      double* plane = scratch() + buffer.offset + c * buffer.plane;
-      double* zero = plane + (buffer.ring ? buffer.ring : buffer.lead);
-      std::fill(zero - buffer.stride, zero, 0.0);
-    }
-  }
-}
-
-void GridSprings::runBlock(std::size_t r, const PlanarState& at, std::size_t begin, std::size_t end) const {
-  const GridRun& run = runs_[r];
-  const Buffer& buffer = buffers_[r];
-  double* own = scratch() + buffer.own(begin);
-  const std::size_t from = std::clamp(run.begin, begin, end), to = std::clamp(run.end, from, end);
-  if (from < to) {
+void GridSprings::evaluateDouble(const PlanarState& at, const PlanarFinish& finish) const {
+  if (!sums_) sums_.emplace(dimension_, lanes_, block_, strides());
+  const auto force = [&](std::size_t r, std::size_t from, std::size_t to, const Planes& out) {
+    const GridRun& run = runs_[r];
     const RunArrays arrays = {run.stride,           run.begin, run.k.data(), run.L0.data(), run.dRelative.data(),
                               run.dProjected.data()};
-    const auto force = kernels().forceOfRun[dimension_ - 1][static_cast<int>(run.damping)][run.isConstant ? 1 : 0];
-    force(arrays, at, from, to, {own + (from - begin), buffer.plane});
+    kernels().forceOfRun[dimension_ - 1][static_cast<int>(run.damping)][run.isConstant ? 1 : 0](arrays, at, from, to,
+                                                                                                out);
+  };
+  const auto pass = [&](const NodeSums& sums, std::size_t begin, std::size_t end) {
+    kernels().planarPass[dimension_ - 1](sums, finish, begin, end);
+  };
+  sweep(*sums_, force, pass);
+}
+
+/// \return whether it could be done
+bool GridSprings::evaluateSingle(const PlanarState& at, const PlanarFinish& finish) const {
+  if (!singleSums_) {
+    const std::vector<std::size_t> ahead = strides();
+    const std::size_t reach = block_ + (ahead.empty() ? 0 : *std::ranges::max_element(ahead));
+    singleSums_.emplace(dimension_, lanes_, block_, ahead);
+    x_.emplace(dimension_, reach);
+    if (runsAreDamped()) v_.emplace(dimension_, reach);
   }
-  for (std::size_t c = 0; c < static_cast<std::size_t>(dimension_); ++c) {
-    double* plane = own + c * buffer.plane;
-    std::fill(plane, plane + (from - begin), 0.0);
-    std::fill(plane + (to - begin), plane + (end - begin), 0.0);
-  }
-  for (; gap_[r] < run.gaps.size() && run.gaps[gap_[r]] < end; ++gap_[r]) {
-    for (std::size_t c = 0; c < static_cast<std::size_t>(dimension_); ++c) {
-      own[c * buffer.plane + (run.gaps[gap_[r]] - begin)] = 0.0;
-    }
-  }
-  if (buffer.ring && begin % buffer.ring == 0) {
-    for (std::size_t c = 0; c < static_cast<std::size_t>(dimension_); ++c) {
-      double* plane = own + c * buffer.plane;
-      std::copy(plane, plane + (end - begin), plane + buffer.ring);
-    }
+  while (true) {
+    sweepSingle(at, finish);
+    const auto ofX = x_->verdict(), ofV = v_ ? v_->verdict() : FixedWindow::Verdict::Right;
+    if (ofX == FixedWindow::Verdict::OutOfRange || ofV == FixedWindow::Verdict::OutOfRange) return false;
+    if (ofX == FixedWindow::Verdict::Right && ofV == FixedWindow::Verdict::Right) return true;
   }
 }
 
-void GridSprings::keepPast(std::size_t r, std::size_t begin, std::size_t end) const {
-  const Buffer& buffer = buffers_[r];
-  if (buffer.ring || end == lanes_) return;
-  for (std::size_t c = 0; c < static_cast<std::size_t>(dimension_); ++c) {
-    double* own = scratch() + buffer.own(begin) + c * buffer.plane;
-    std::copy(own + (end - begin) - buffer.stride, own + (end - begin), own - buffer.stride);
-  }
+void GridSprings::sweepSingle(const PlanarState& at, const PlanarFinish& finish) const {
+  x_->begin(at.x, at.plane, nodes_);
+  if (v_) v_->begin(at.v, at.plane, nodes_);
+  const auto force = [&](std::size_t r, std::size_t from, std::size_t to, const SinglePlanes& out) {
+    const GridRun& run = runs_[r];
+    const SingleMaterial& m = single_[r];
+    const std::size_t first = run.isConstant ? 0 : from - run.begin;
+    const auto behind = [first](const std::vector<float>& values) {
+      return values.empty() ? nullptr : values.data() + first;
+    };
+    const SingleRunArrays arrays = {run.stride, behind(m.k), behind(m.L0), behind(m.dRelative), behind(m.dProjected)};
+    const std::size_t block = from / block_ * block_;
+    const std::int32_t* x = x_->from(block) + (from - block);
+    const std::int32_t* v = v_ ? v_->from(block) + (from - block) : x;
+    kernels().forceOfRunSingle[dimension_ - 1][static_cast<int>(run.damping)][run.isConstant ? 1 : 0](
+        arrays, {x, v, x_->plane(), x_->unit(), v_ ? v_->unit() : 1.0F}, to - from, out);
+  };
+  const auto pass = [&](const SingleNodeSums& sums, std::size_t begin, std::size_t end) {
+    kernels().planarPassSingle[dimension_ - 1](sums, finish, begin, end);
+  };
+  sweep(*singleSums_, force, pass);
+}
+
+bool GridSprings::runsAreDamped() const {
+  return std::any_of(runs_.begin(), runs_.end(), [](const GridRun& run) { return run.damping != Damping::None; });
+}
+
+std::vector<std::size_t> GridSprings::strides() const {
+  std::vector<std::size_t> strides;
+  for (const GridRun& run : runs_) strides.push_back(run.stride);
+  return strides;
 }
 
 void GridSprings::addLoose(const PlanarState& at, const PlanarFinish& finish) const {
@@ -167,8 +184,7 @@ std::size_t GridSprings::springs() const {
 
 bool GridSprings::usesVelocity() const {
   const auto isDamped = [this](const SpringData& s) { return dampingOf(s, dimension_) != Damping::None; };
-  return std::any_of(runs_.begin(), runs_.end(), [](const GridRun& run) { return run.damping != Damping::None; }) ||
-         std::any_of(loose_.begin(), loose_.end(), isDamped);
+  return runsAreDamped() || std::any_of(loose_.begin(), loose_.end(), isDamped);
 }
 
 }  // namespace muelle::engine::kernels

@@ -1,7 +1,11 @@
 #pragma once
+#include "engine/kernels/fixed_window.h"
+#include "engine/kernels/grid_buffers.h"
 #include "engine/kernels/grid_run.h"
 #include "engine/kernels/kernel_arguments.h"
+#include "engine/kernels/precision.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,8 +27,9 @@ class GridSprings {
  public:
   /// \param dimension 1, 2 or 3   \param nodes places in the grid, empty ones included
   /// \param loose springs that are in no run   \param block nodes a block, a multiple of 8; 0: what is fast
+  /// \param precision of the runs; loose springs are computed in double
   GridSprings(int dimension, std::size_t nodes, std::vector<GridRun> runs, std::vector<SpringData> loose = {},
-              std::size_t block = 0);
+              std::size_t block = 0, Precision precision = Precision::Double);
 
   /// Writes accelerations or forces of all nodes to finish.out, 0 in the rest of each plane.
   void evaluate(const PlanarState& at, const PlanarFinish& finish) const;
@@ -35,33 +40,32 @@ class GridSprings {
   const std::vector<SpringData>& loose() const { return loose_; }
 
  private:
-  /// Where a run's forces stand: the block's own from `lead` on, behind them the last ones of the block before; or, for
-  /// a long stride, a ring of blocks, of which the first is repeated behind the last.
-  struct Buffer {
-    std::size_t stride, lead, ring, plane, offset;
-    std::size_t own(std::size_t begin) const { return offset + lead + (ring ? begin % ring : 0); }
-    std::size_t past(std::size_t begin) const {
-      return ring ? offset + (begin + ring - stride % ring) % ring : offset + lead - stride;
-    }
+  /// Springs of a run in single precision.
+  struct SingleMaterial {
+    std::vector<float> k, L0, dRelative, dProjected;
   };
 
-  Buffer bufferFor(std::size_t stride, std::size_t offset) const;
-  double* scratch() const;
-  void clearPast() const;
-  void runBlock(std::size_t r, const PlanarState& at, std::size_t begin, std::size_t end) const;
-  void keepPast(std::size_t r, std::size_t begin, std::size_t end) const;
+  void evaluateDouble(const PlanarState& at, const PlanarFinish& finish) const;
+  bool evaluateSingle(const PlanarState& at, const PlanarFinish& finish) const;
+  void sweepSingle(const PlanarState& at, const PlanarFinish& finish) const;
+  template <class Real, class RunForce, class Pass>
+  void sweep(GridBuffers<Real>& buffers, const RunForce& force, const Pass& pass) const;
+  std::vector<std::size_t> strides() const;
+  bool runsAreDamped() const;
   void addLoose(const PlanarState& at, const PlanarFinish& finish) const;
 
   int dimension_;
+  std::size_t nodes_;
   std::size_t lanes_;  ///< of a plane that are gone over: the nodes, rounded up to a multiple of 8
   std::size_t block_;
+  Precision precision_;
   std::vector<GridRun> runs_;
   std::vector<SpringData> loose_;
-  std::vector<Buffer> buffers_;
-  std::vector<std::size_t> planes_;
-  mutable std::vector<double> scratch_;
-  mutable std::vector<std::size_t> gap_;  ///< of each run, the first one ahead
-  mutable std::vector<const double*> own_, past_;
+  std::vector<SingleMaterial> single_;               ///< of each run, where it is asked for
+  mutable std::optional<GridBuffers<double>> sums_;  ///< made when they are first needed
+  mutable std::optional<GridBuffers<float>> singleSums_;
+  mutable std::optional<FixedWindow> x_, v_;  ///< v where any run is damped
+  mutable std::vector<std::size_t> gap_;      ///< of each run, the first one ahead
 };
 
 }  // namespace muelle::engine::kernels

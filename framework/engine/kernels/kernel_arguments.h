@@ -6,6 +6,7 @@
 #include "engine/kernels/spring_data.h"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace muelle::engine::kernels {
 
@@ -33,20 +34,42 @@ struct PlanarState {
   std::size_t plane;
 };
 
+/// Positions and velocities of nodes in planes, in units (FixedWindow), from the first that is looked at.
+struct FixedPlanes {
+  const std::int32_t *x, *v;  ///< v is not read where no spring is damped
+  std::size_t plane;
+  float xUnit, vUnit;  ///< [m], [m/s]
+};
+
+/// Springs i -> i + stride from the first node on, with their material in single precision: of each spring, or one for
+/// all.
+struct SingleRunArrays {
+  std::size_t stride;
+  const float *k, *L0;      ///< [N/m], [m]
+  const float* dRelative;   ///< [kg/s]; null where the form has none
+  const float* dProjected;  ///< [kg/s]; null where the form has none
+};
+
 /// One vector a node or spring in planes: component c of entry i at data[c * plane + i].
-struct Planes {
-  double* data;
+template <class Real>
+struct PlanesOf {
+  Real* data;
   std::size_t plane;
 };
+using Planes = PlanesOf<double>;
+using SinglePlanes = PlanesOf<float>;
 
 /// For each run the forces on node i by its spring i -> i + stride, and by where that spring begins, i - stride -> i.
 /// The force on a node is the sum of own - past over the runs, in their order, each entry added by itself.
-struct NodeSums {
+template <class Real>
+struct NodeSumsOf {
   std::size_t runs;
-  const double* const* own;   ///< of the first node of the range
-  const double* const* past;  ///< of the first node of the range
+  const Real* const* own;     ///< of the first node of the range
+  const Real* const* past;    ///< of the first node of the range
   const std::size_t* planes;  ///< of each run, between components
 };
+using NodeSums = NodeSumsOf<double>;
+using SingleNodeSums = NodeSumsOf<float>;
 
 /// What becomes of a node's sum F [N] of spring forces, in planes.
 /// Accelerations: out = (added + F - drag v) / m + gravity, 0 where 1/m = 0. Forces: out = added + F - drag v + m

@@ -248,9 +248,9 @@ std::optional<GridForce> makeGridForce(const Builder& builder, kernels::GridNumb
     nodes.drag.assign(nodes.plane, 0.0);
     for (const int i : builder.numbering.freeNodes) nodes.drag[static_cast<std::size_t>(i)] = builder.node(i).drag;
   }
-  return GridForce(
-      kernels::GridSprings(builder.dimension(), grid.places, std::move(grid.search.runs), std::move(grid.search.loose)),
-      std::move(nodes));
+  return GridForce(kernels::GridSprings(builder.dimension(), grid.places, std::move(grid.search.runs),
+                                        std::move(grid.search.loose), 0, builder.model.precision),
+                   std::move(nodes));
 }
 
 /// All the forces together, where they are a few springs of one damping form, and gravity.

@@ -35,6 +35,14 @@ State MassSpringSystem::initialState() const {
   State state;
   state.x.assign(mass_.size(), 0.0);
   state.v.assign(mass_.size(), 0.0);
+  // Places of a grid that no node has lie with the first node and not at the origin: a scene is as large as its nodes
+  // say.
+  for (std::size_t place = 0; numbering_.layout.isPlanar() && place < numbering_.user.size(); ++place) {
+    for (int c = 0; c < dimension_; ++c) {
+      const int axis = numbering_.axes[static_cast<std::size_t>(c)];
+      state.x[laneOf(static_cast<int>(place), c)] = model_.nodes.front().x[axis];
+    }
+  }
   for (const int node : numbering_.built) {
     for (int c = 0; c < dimension_; ++c) {
       const int axis = numbering_.axes[static_cast<std::size_t>(c)];

@@ -53,6 +53,7 @@ class MassSpringSystem final : public ModelSystem,
   int internalSize() const override { return internalSize_; }
   bool forceUsesVelocity() const override;
   bool hasUnannouncedForce() const override;
+  double accelerationRounding() const override { return isSingle() ? 6e-8 : DynamicalSystem::accelerationRounding(); }
   double shortestPeriod(double t) const override;
   const Potential* potential() const override { return this; }
   const Drag* drag() const override { return drag_ ? this : nullptr; }
@@ -72,6 +73,7 @@ class MassSpringSystem final : public ModelSystem,
   int unknown(int node, int axis) const override;
   int lane(int node, int axis) const override;
   const Model& model() const override { return model_; }
+  bool mayBeSingle() const override { return grid_.has_value() && dimension_ > 1; }
   double kineticEnergy(const State& state) const override;
   double totalEnergy(const State& state) const override;
   double elasticEnergy(const State& state) const override;
@@ -79,6 +81,7 @@ class MassSpringSystem final : public ModelSystem,
   Vec3 angularMomentum(const State& state) const override;
 
  private:
+  bool isSingle() const { return mayBeSingle() && model_.precision == kernels::Precision::Single; }
   // Potential
   bool isComplete() const override;
   double energy(double t, In x, In z) const override;

@@ -4,6 +4,7 @@
 #include "engine/elements/dihedral/model_dihedral.h"
 #include "engine/elements/element.h"
 #include "engine/elements/volume/model_volume.h"
+#include "engine/kernels/precision.h"
 #include "harness/types.h"
 
 #include <algorithm>
@@ -121,6 +122,9 @@ struct Model {
   Vec3 gravity = Vec3::Zero();     ///< acceleration [m/s^2]; (0, 0, -9.81) in 3D, and in 2D with plane {0, 2}
   /// Follow springs through zero length (an event): a spring of 1D always, in 2D and 3D only when asked for.
   bool springsCross = false;
+  /// Of the springs' forces in accelerations, where springs lie on a grid of 2D or 3D. Energies, stiffness and the
+  /// forces that implicit methods balance are in double throughout.
+  kernels::Precision precision = kernels::Precision::Double;
   bool renumber = true;  ///< reverse Cuthill-McKee inside; results keep the user's numbering
 };
 

@@ -27,6 +27,8 @@ class ModelSystem : public DynamicalSystem {
   /// moved.
   virtual int unknown(int node, int axis) const = 0;
   virtual const Model& model() const = 0;
+  /// Whether springs lie on a grid of 2D or 3D, so that Model::precision decides something.
+  virtual bool mayBeSingle() const = 0;
 
   virtual double kineticEnergy(const State& state) const = 0;  ///< [J]
   /// Kinetic and potential [J], and what friction anchors store; z may be empty (then without the anchors).

@@ -61,6 +61,15 @@ Space readSpace(const TableReader& table, Model& model) {
   return {model.dimension, model.plane};
 }
 
+kernels::Precision readPrecision(const TableReader& table) {
+  const std::string precision = table.text("precision");
+  if (precision == "single") return kernels::Precision::Single;
+  if (precision != "double") {
+    table.fail("precision", fmt::format("'{}' is none; expected \"double\" or \"single\"", printableLine(precision)));
+  }
+  return kernels::Precision::Double;
+}
+
 /// g >= 0 pulls down: along -z in space, against the second axis in a plane, along -x in 1D.
 void readGravity(const TableReader& table, Model& model) {
   const double g = table.notNegative("gravity", 0.0);
@@ -297,9 +306,9 @@ Scene interpret(const TableReader& given, const std::filesystem::path& file) {
   TableReader table = given;
   Scene scene;
   Model& model = scene.model;
-  Keys keys = {"title",  "shows", "slide",    "dimension", "plane",    "gravity", "cross_zero_length",
-               "view",   "node",  "object",   "spring",    "property", "pin",     "velocity",
-               "motion", "force", "obstacle", "run",       "output"};
+  Keys keys = {"title",     "shows",  "slide", "dimension", "plane",  "gravity",  "cross_zero_length",
+               "precision", "view",   "node",  "object",    "spring", "property", "pin",
+               "velocity",  "motion", "force", "obstacle",  "run",    "output"};
   forEachElementKind(model, [&]<class List>(const List&) { keys.emplace_back(ElementOf<List>::kind); });
   table.checkKeys(keys, {"title", "shows", "slide", "run"});
   scene.name = file.stem().string();
@@ -309,6 +318,7 @@ Scene interpret(const TableReader& given, const std::filesystem::path& file) {
   table.setSpace(readSpace(table, model));
   readGravity(table, model);
   model.springsCross = table.flag("cross_zero_length", false);
+  if (table.has("precision")) model.precision = readPrecision(table);
   readView(table, scene);
   // Nodes by hand come first, then those of the objects in the order of the file: that is the numbering.
   for (const TableReader& t : table.tables("node")) readNode(t, model);

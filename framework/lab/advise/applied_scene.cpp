@@ -63,6 +63,11 @@ class SceneLines {
   void addBelow(const TomlValue& table, const char* key, const std::string& text) {
     added_[lineWith(*table.find(key), key) + 1] += text + "\n";
   }
+  /// Sets a key of the whole scene, which has a title.
+  void setOfScene(const char* key, const std::string& value) {
+    if (root_.find(key) != nullptr) return replace(root_, key, value);
+    addBelow(root_, "title", fmt::format("{} = {}", key, value));
+  }
   void addAtEnd(const std::string& text) { added_.back() += text; }
   /// Takes a whole table [[name]] out, but for the comments above the next one.
   void removeTable(const TomlValue& table) {
@@ -141,6 +146,9 @@ void leaveOut(SceneLines& lines, const Simplification& part) {
     case Simplification::Kind::Elements:
       removeFromObject(lines, part.object, part.key);
       break;
+    case Simplification::Kind::Digits:
+      lines.setOfScene("precision", "\"single\"");
+      break;
     case Simplification::Kind::Motion:
       lines.addAtEnd(fmt::format("\n[[pin]]\nnodes = [{}]\n", fmt::join(part.nodes, ", ")));
       break;
@@ -170,7 +178,7 @@ bool agrees(const Scene& read, const Scene& meant) {
   return read.method == meant.method && read.step == meant.step && read.tolerance == meant.tolerance &&
          read.model.springs.size() == meant.model.springs.size() &&
          read.model.obstacles.size() == meant.model.obstacles.size() &&
-         read.model.nodes.size() == meant.model.nodes.size();
+         read.model.nodes.size() == meant.model.nodes.size() && read.model.precision == meant.model.precision;
 }
 
 fs::path folderOf(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }

@@ -179,6 +179,7 @@ std::string listedScene(const Scene& scene) {
   }
   to.numberUnless("gravity", -model.gravity[upAxisOf(model)], 0.0);
   to.flag("cross_zero_length", model.springsCross);
+  if (model.precision == kernels::Precision::Single) to.line("precision", quoted("single"));
   addNodes(to, model);
   addSprings(to, model);
   addObstacles(to, model);

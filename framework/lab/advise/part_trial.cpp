@@ -23,6 +23,9 @@ constexpr double ofTolerance = 1.0 / 3.0;
 /// At so many states of the run stiffness is looked at.
 constexpr std::size_t mostStates = 60;
 
+/// Digits are given up for time alone: a model without them is no easier to look at.
+constexpr double worthDigits = 0.95;
+
 /// A disturbance that grows more is not left to chance.
 constexpr double mostGrowth = 100.0;
 
@@ -73,6 +76,13 @@ double reachByEnergy(const Scene& scene, const ModelSystem& system) {
   return std::sqrt(2.0 * energy / lightest) * scene.duration + 0.5 * pull * scene.duration * scene.duration;
 }
 
+/// A setting whose own error is a small part of what this one's is, and no finer: where digits are missing an error
+/// estimate far below what they can tell is noise, to which no step is short enough.
+Setting finer(Setting setting) {
+  setting.value /= setting.fixed ? 4.0 : 30.0;
+  return setting;
+}
+
 class Trials {
  public:
   Trials(const Pilots& whole, const ReferenceMotion& reference, const Setting& timing, double tolerance, double seconds)
@@ -95,7 +105,7 @@ class Trials {
     }
     const Pilots pilots(rest, *system);
     const PilotRun run = pilots.run(
-        reference_.run.setting,
+        part.kind == Simplification::Kind::Digits ? finer(timing_) : reference_.run.setting,
         {.seconds = clock_.left(), .ofProcessor = std::max(0.2, 5.0 * reference_.run.seconds), .isReference = true});
     if (!run.done()) {
       trial.why = "without it: " + run.failure;
@@ -126,6 +136,10 @@ class Trials {
       return;
     }
     if (trial.part.kind == Simplification::Kind::Axis && !isFlat(trial)) return;
+    if (trial.part.kind == Simplification::Kind::Digits && !(trial.measured && trial.timeLeft < worthDigits)) {
+      trial.why = "it would hardly be faster";
+      return;
+    }
     trial.leftOut = true;
     if (trial.why.empty()) trial.why = "over the whole run it changes no more";
   }
@@ -215,6 +229,9 @@ std::vector<PartTrial> tryParts(const Pilots& whole, const ReferenceMotion& refe
   std::vector<PartTrial> all;
   for (const Simplification& part : simplificationsOf(whole.scene())) all.push_back(trials.of(part));
   for (const Simplification& part : stillNodes(whole.scene(), reference, tolerance)) all.push_back(trials.of(part));
+  if (whole.system().mayBeSingle() && whole.scene().model.precision == kernels::Precision::Double) {
+    all.push_back(trials.of({.kind = Simplification::Kind::Digits, .name = "double precision"}));
+  }
   return all;
 }
 
@@ -222,19 +239,26 @@ std::vector<Simplification> leaveOutTogether(const Pilots& whole, const Referenc
                                              std::vector<PartTrial>& trials, double tolerance, double seconds) {
   const Countdown clock(seconds);
   while (true) {
-    std::vector<Simplification> parts;
+    std::vector<Simplification> parts, followed;
+    double ofDigits = 0.0;  // found by runs of their own, see finer(); errors add at most
     PartTrial* largest = nullptr;
     for (PartTrial& trial : trials) {
       if (!trial.leftOut) continue;
       parts.push_back(trial.part);
+      if (trial.part.kind == Simplification::Kind::Digits) {
+        ofDigits += trial.error;
+      } else {
+        followed.push_back(trial.part);
+      }
       if (largest == nullptr || trial.error > largest->error) largest = &trial;
     }
     if (parts.size() < 2) return parts;
-    const Scene rest = without(whole.scene(), parts);
+    const Scene rest = without(whole.scene(), followed);
     const std::unique_ptr<ModelSystem> system = build(rest.model);
     const PilotRun run =
         Pilots(rest, *system).run(reference.run.setting, {.seconds = clock.left(), .isReference = true});
-    const double error = run.done() ? statedError(reference.errorOf(whole, run.rows), reference.doubt) : INFINITY;
+    const double error =
+        run.done() ? statedError(reference.errorOf(whole, run.rows), reference.doubt) + ofDigits : INFINITY;
     if (error <= ofTolerance * tolerance) return parts;
     largest->leftOut = false;
     largest->why = run.outOfTime ? "the time was over" : "with the other parts it changes too much";

@@ -25,7 +25,8 @@ struct PartTrial {
 /// stiffness at any of the reference's states) and a small disturbance along it hardly grows: so nothing buckles.
 /// A contact, when no node comes near: told by the energy, which a scene that nothing drives can only lose, else by the
 /// gaps at every step of the reference; then the run that is advised keeps watch itself.
-/// Everything else, by the comparison.
+/// Digits, by a run of what is left with the method that is advised, its own error a small part of what is asked for;
+/// and only where that saves time. Everything else, by the comparison.
 ///
 /// \param timing   the setting at which both are timed
 /// \param seconds  of the clock on the wall

@@ -214,6 +214,9 @@ Scene without(const Scene& scene, const std::vector<Simplification>& parts) {
       case Simplification::Kind::Motion:
         pinNodes(reduced.model, part.nodes);
         break;
+      case Simplification::Kind::Digits:
+        reduced.model.precision = kernels::Precision::Single;
+        break;
     }
   }
   reduced.model = withoutParts(reduced.model, named);

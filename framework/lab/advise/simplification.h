@@ -15,6 +15,7 @@ struct Simplification {
     Drag,      ///< of all nodes
     Elements,  ///< a part of the model that an object's key makes: "cloth.bend"
     Motion,    ///< of nodes that hardly move: they are pinned
+    Digits,    ///< springs in single precision in place of double
   };
   Kind kind = Kind::Elements;
   std::string name;             ///< "contact with 'ground'"; of Kind::Elements the part's
@@ -27,7 +28,7 @@ struct Simplification {
 };
 
 /// What a scene has and could be left out, whatever that does to its motion. Nodes that hardly move are
-/// known only from a run: see stillNodes().
+/// known only from a run, and whether digits decide anything only from what is built: see tryParts().
 std::vector<Simplification> simplificationsOf(const engine::Scene& scene);
 
 /// The scene without these: nodes keep their numbers. The one place that knows how something is left out.

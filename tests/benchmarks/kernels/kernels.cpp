@@ -87,7 +87,7 @@ class General {
 
 class Grid {
  public:
-  explicit Grid(const Cloth& cloth, std::size_t block = 0)
+  explicit Grid(const Cloth& cloth, kernels::Precision precision = kernels::Precision::Double)
       : nodes_(static_cast<std::size_t>(cloth.nodes)),
         plane_(kernels::planeFor(nodes_)),
         x_(3 * plane_),
@@ -95,7 +95,7 @@ class Grid {
         f_(3 * plane_) {
     kernels::GridSearch found = kernels::findRuns(3, nodes_, cloth.springs);
     if (!found.isGrid()) throw std::logic_error(found.refusal);
-    springs_ = std::make_unique<kernels::GridSprings>(3, nodes_, found.runs, found.loose, block);
+    springs_ = std::make_unique<kernels::GridSprings>(3, nodes_, found.runs, found.loose, 0, precision);
     for (std::size_t i = 0; i < cloth.x.size(); ++i) {
       x_.data()[i % 3 * plane_ + i / 3] = cloth.x[i];
       v_.data()[i % 3 * plane_ + i / 3] = cloth.v[i];
@@ -188,6 +188,15 @@ std::function<Ratio()> stepsAgainstPlain(int n, bool damped, kernels::Instructio
   };
 }
 
+std::function<Ratio()> singleAgainstDouble(int n, bool damped, kernels::InstructionSet set) {
+  return [=] {
+    kernels::useInstructionSet(set);
+    const Cloth cloth = makeCloth(n, damped);
+    Grid full(cloth), single(cloth, kernels::Precision::Single);
+    return ratioOfTimes([&] { full.force(); }, [&] { single.force(); });
+  };
+}
+
 constexpr int sides[3] = {32, 256, 1024};
 
 void addAll() {
@@ -200,6 +209,8 @@ void addAll() {
             fmt::format("{}/{}/{}", kernels::nameOf(set), damped ? "damped" : "undamped", sides[i]);
         add("plain/general/" + tail, count, bars.general[i], againstPlain<General>(sides[i], damped, set, true));
         add("plain/grid/" + tail, count, bars.grid[i], againstPlain<Grid>(sides[i], damped, set, false));
+        add("grid, double/single/" + tail, count, set == kernels::InstructionSet::Baseline ? 0.0 : 1.7,
+            singleAgainstDouble(sides[i], damped, set));
         add("plain/general, through the engine/" + tail, count, 0.0, stepsAgainstPlain(sides[i], damped, set, false));
         add("plain/grid, through the engine/" + tail, count, 0.0, stepsAgainstPlain(sides[i], damped, set, true));
       }

@@ -99,7 +99,7 @@ std::uint64_t hashOfPadded(std::uint64_t hash, const Cloth& cloth) {
   return hashOf(hashOf(hash, x), v);
 }
 
-std::uint64_t hashOfPlanar(std::uint64_t hash, const Cloth& cloth) {
+std::uint64_t hashOfPlanar(std::uint64_t hash, const Cloth& cloth, Precision precision) {
   PlanarCase planar(cloth.nodes);
   std::vector<double> inverse(planar.plane), drag(planar.plane);
   for (std::size_t i = 0; i < clothNodes; ++i) {
@@ -107,7 +107,7 @@ std::uint64_t hashOfPlanar(std::uint64_t hash, const Cloth& cloth) {
     drag[i] = 1.0 / 256.0;
   }
   const GridSearch found = findRuns(3, clothNodes, cloth.springs);
-  const GridSprings springs(3, clothNodes, found.runs, found.loose, 64);
+  const GridSprings springs(3, clothNodes, found.runs, found.loose, 64, precision);
   run(planar.x, planar.v, planar.out, [&] {
     const PlanarFinish finish = {planar.out.data(), planar.plane,   nullptr, planar.v.data(),
                                  drag.data(),       inverse.data(), nullptr, {0.0, 0.5, -9.75}};
@@ -118,11 +118,14 @@ std::uint64_t hashOfPlanar(std::uint64_t hash, const Cloth& cloth) {
   return hashOf(hashOf(hash, planar.x), planar.v);
 }
 
+constexpr std::uint64_t start = 14695981039346656037ULL;  // of FNV-1a
+
 TEST(GoldenHash, IsTheSameOnEveryInstructionSet) {
   const Cloth cloth = goldenCloth();
   onEveryInstructionSet([&](const std::string& set) {
-    const std::uint64_t hash = hashOfPlanar(hashOfPadded(14695981039346656037ULL, cloth), cloth);
+    const std::uint64_t hash = hashOfPlanar(hashOfPadded(start, cloth), cloth, Precision::Double);
     EXPECT_EQ(hash, 0x437B2A56D7AE4781ULL) << set;
+    EXPECT_EQ(hashOfPlanar(start, cloth, Precision::Single), 0xB4A5999C5A6CD383ULL) << set << ", single precision";
   });
 }
 

@@ -100,11 +100,12 @@ std::vector<double> generalForces(const Nodes& nodes, const std::vector<SpringDa
   return result;
 }
 
-std::vector<double> gridForces(const Nodes& nodes, const std::vector<SpringData>& springs, std::size_t block) {
+std::vector<double> gridForces(const Nodes& nodes, const std::vector<SpringData>& springs, std::size_t block,
+                               Precision precision) {
   const auto D = static_cast<std::size_t>(nodes.dimension);
   GridSearch found = findRuns(nodes.dimension, nodes.count(), springs);
   EXPECT_TRUE(found.isGrid()) << found.refusal;
-  const GridSprings grid(nodes.dimension, nodes.count(), found.runs, found.loose, block);
+  const GridSprings grid(nodes.dimension, nodes.count(), found.runs, found.loose, block, precision);
   PlanarCase planar(nodes);
   grid.evaluate(planar.state(), planar.finish());
   std::vector<double> result(nodes.x.size());

@@ -1,6 +1,7 @@
 #pragma once
 #include "engine/kernels/instruction_set.h"
 #include "engine/kernels/kernel_arguments.h"
+#include "engine/kernels/precision.h"
 #include "engine/kernels/spring_data.h"
 
 #include <cstddef>
@@ -42,7 +43,8 @@ std::vector<double> roundingBounds(const Nodes& nodes, const std::vector<SpringD
 std::vector<double> generalForces(const Nodes& nodes, const std::vector<SpringData>& springs);
 
 /// Forces by the kernels of grids; the springs must be one. \param block nodes a block; 0: the usual
-std::vector<double> gridForces(const Nodes& nodes, const std::vector<SpringData>& springs, std::size_t block = 0);
+std::vector<double> gridForces(const Nodes& nodes, const std::vector<SpringData>& springs, std::size_t block = 0,
+                               Precision precision = Precision::Double);
 
 /// Runs what is given on every available instruction set in turn, and goes back to the first.
 template <class Work>

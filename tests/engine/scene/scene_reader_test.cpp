@@ -73,6 +73,8 @@ const std::vector<Fault>& faults() {
        "scenes/test.toml:5: key 'x': expected a list of 3 numbers, found 2"},
       {"FourDimensions", "title = 't'\nshows = 's'\nslide = 'x'\ndimension = 4\n" + run,
        "scenes/test.toml:4: key 'dimension': 4 does not lie between 1 and 3"},
+      {"UnknownPrecision", "title = 't'\nshows = 's'\nslide = 'x'\nprecision = 'half'\n" + run,
+       "scenes/test.toml:4: key 'precision': 'half' is none; expected \"double\" or \"single\""},
       {"NoNodes", head + run, "scenes/test.toml:1: the scene: has no nodes; [[node]] and [[object]] make them"},
       {"UnknownMethod", head + pair + spring + "[run]\nmethod = 'velocity_verlt'\nstep = 0.01\nduration = 1\n",
        "scenes/test.toml:16: key 'method': no method 'velocity_verlt'; did you mean 'velocity_verlet'?"},

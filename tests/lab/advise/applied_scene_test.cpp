@@ -130,6 +130,17 @@ TEST_F(Applied, StillNodesArePinned) {
   EXPECT_FALSE(read.model.nodes[8].pinned);
 }
 
+TEST_F(Applied, DigitsAreAKeyOfTheScene) {
+  const Simplification digits{.kind = Simplification::Kind::Digits, .name = "double precision"};
+  const std::string said = cloth, title = said.substr(0, said.find('\n') + 1);
+  for (const std::string& text : {said, title + "precision = \"double\"\n" + said.substr(title.size())}) {
+    const fs::path file = write(text);
+    writeApplied(file, adviceFor(readScene(file), {"nystrom8", false, 1e-5}, {digits}), target());
+    EXPECT_EQ(readScene(target()).model.precision, kernels::Precision::Single);
+    EXPECT_THAT(readFile(target()), HasSubstr("# of silk"));
+  }
+}
+
 TEST_F(Applied, APlaneIsListedNodeByNode) {
   const fs::path file = write(R"(title = "a \"flat\" one"
 shows = "s"

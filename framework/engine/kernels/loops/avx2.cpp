@@ -1,12 +1,17 @@
 #include "engine/kernels/loops/lanes_2.h"
 #include "engine/kernels/loops/lanes_4.h"
+#include "engine/kernels/loops/single_lanes_8.h"
 #include "engine/kernels/loops/table.h"
 #include "engine/kernels/loops/tables.h"
 
 namespace muelle::engine::kernels {
 
 const Kernels& avx2Kernels() {
-  static const Kernels table = tableOf<Lanes4, Lanes4>();
+  static const Kernels table = [] {
+    Kernels all = tableOf<Lanes4, Lanes4>();
+    fillSingle<Lanes4, SingleLanes8, SingleLanes8>(all);
+    return all;
+  }();
   return table;
 }
 

@@ -1,11 +1,16 @@
 #include "engine/kernels/loops/lanes_2.h"
+#include "engine/kernels/loops/single_lanes_4.h"
 #include "engine/kernels/loops/table.h"
 #include "engine/kernels/loops/tables.h"
 
 namespace muelle::engine::kernels {
 
 const Kernels& baselineKernels() {
-  static const Kernels table = tableOf<Lanes2, Lanes2>();
+  static const Kernels table = [] {
+    Kernels all = tableOf<Lanes2, Lanes2>();
+    fillSingle<Lanes2, SingleLanes4, SingleLanes4>(all);
+    return all;
+  }();
   return table;
 }
 

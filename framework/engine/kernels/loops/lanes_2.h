@@ -3,6 +3,7 @@
 /// Two springs or nodes at a time: registers of two doubles, which every processor has or the compiler makes.
 
 #include <cstddef>
+#include <cstdint>
 #if defined(__SSE2__)
 #include <emmintrin.h>
 #endif
@@ -58,6 +59,17 @@ struct Lanes2 {
     return _mm_movemask_pd(_mm_and_pd(aboveLow, belowHigh)) == 3;
 #else
     return a[0] > low && a[1] > low && __builtin_fabs(b[0]) < high && __builtin_fabs(b[1]) < high;
+#endif
+  }
+  /// a where it is larger than b, else b.
+  static Vector larger(Vector b, Vector a) { return a > b ? a : b; }
+  /// Nearest integers, of two the even one.
+  static void storeRounded(std::int32_t* p, Vector v) {
+#if defined(__SSE2__)
+    _mm_storel_epi64(reinterpret_cast<__m128i*>(p), _mm_cvtpd_epi32(reinterpret_cast<__m128d>(v)));
+#else
+    p[0] = static_cast<std::int32_t>(__builtin_rint(v[0]));
+    p[1] = static_cast<std::int32_t>(__builtin_rint(v[1]));
 #endif
   }
   static bool anyPositive(Vector a) {

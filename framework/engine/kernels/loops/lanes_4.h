@@ -4,6 +4,7 @@
 
 #include <immintrin.h>
 #include <cstddef>
+#include <cstdint>
 
 namespace muelle::engine::kernels {
 namespace {
@@ -34,6 +35,12 @@ struct Lanes4 {
     const Vector aboveLow = _mm256_cmp_pd(a, all(low), _CMP_GT_OQ);
     const Vector belowHigh = _mm256_cmp_pd(magnitude(b), all(high), _CMP_LT_OQ);
     return _mm256_movemask_pd(_mm256_and_pd(aboveLow, belowHigh)) == 0xF;
+  }
+  /// a where it is larger than b, else b.
+  static Vector larger(Vector b, Vector a) { return _mm256_max_pd(a, b); }
+  /// Nearest integers, of two the even one.
+  static void storeRounded(std::int32_t* p, Vector v) {
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(p), _mm256_cvtpd_epi32(v));
   }
   static bool anyPositive(Vector a) { return _mm256_movemask_pd(_mm256_cmp_pd(a, Vector{}, _CMP_GT_OQ)) != 0; }
 

@@ -5,6 +5,7 @@
 
 #include <immintrin.h>
 #include <cstddef>
+#include <cstdint>
 
 namespace muelle::engine::kernels {
 namespace {
@@ -38,6 +39,12 @@ struct Lanes8 {
   static bool allWithin(Vector a, double low, Vector b, double high) {
     const __mmask8 aboveLow = _mm512_cmp_pd_mask(a, all(low), _CMP_GT_OQ);
     return _mm512_mask_cmp_pd_mask(aboveLow, magnitude(b), all(high), _CMP_LT_OQ) == 0xFF;
+  }
+  /// a where it is larger than b, else b.
+  static Vector larger(Vector b, Vector a) { return _mm512_max_pd(a, b); }
+  /// Nearest integers, of two the even one.
+  static void storeRounded(std::int32_t* p, Vector v) {
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(p), _mm512_cvtpd_epi32(v));
   }
   static bool anyPositive(Vector a) { return _mm512_cmp_pd_mask(a, Vector{}, _CMP_GT_OQ) != 0; }
 };

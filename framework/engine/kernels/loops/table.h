@@ -4,9 +4,11 @@
 
 #include "engine/kernels/kernel_table.h"
 #include "engine/kernels/loops/contact_loop.h"
+#include "engine/kernels/loops/fixed_loop.h"
 #include "engine/kernels/loops/group_loop.h"
 #include "engine/kernels/loops/node_loop.h"
 #include "engine/kernels/loops/run_loop.h"
+#include "engine/kernels/loops/single_run_loop.h"
 
 namespace muelle::engine::kernels {
 namespace {
@@ -38,6 +40,32 @@ void fillDimension(Kernels& table) {
   table.paddedPass[D - 1] = paddedPass<Lanes, D>;
   table.paddedContact[D - 1] = paddedContact<D>;
   table.planarContact[D - 1] = planarContact<Lanes, D>;
+}
+
+template <class Lanes, int D, bool relative, bool projected>
+void fillSingleDamping(Kernels& table) {
+  constexpr int form = (relative ? 1 : 0) + (projected ? 2 : 0);
+  table.forceOfRunSingle[D - 1][form][0] = forceOfRunSingle<Lanes, D, relative, projected, false>;
+  table.forceOfRunSingle[D - 1][form][1] = forceOfRunSingle<Lanes, D, relative, projected, true>;
+}
+
+template <class Lanes, int D>
+void fillSingleRuns(Kernels& table) {
+  fillSingleDamping<Lanes, D, false, false>(table);
+  fillSingleDamping<Lanes, D, true, false>(table);
+  fillSingleDamping<Lanes, D, false, true>(table);
+  fillSingleDamping<Lanes, D, true, true>(table);
+}
+
+/// The part of single precision. \tparam Lanes doubles along arrays   \tparam Single springs along arrays
+/// \tparam Sums of the pass over nodes, each register of which becomes one or two of Lanes
+template <class Lanes, class Single, class Sums>
+void fillSingle(Kernels& table) {
+  fillSingleRuns<Single, 2>(table);
+  fillSingleRuns<Single, 3>(table);
+  table.planarPassSingle[1] = planarPassSingle<Sums, Lanes, 2>;
+  table.planarPassSingle[2] = planarPassSingle<Sums, Lanes, 3>;
+  table.toFixed = toFixed<Lanes>;
 }
 
 /// \tparam Lanes of what runs along arrays   \tparam LanesOfGroups of springs of general topology in 3D

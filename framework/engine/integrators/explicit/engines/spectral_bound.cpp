@@ -45,7 +45,8 @@ double SpectralBound::iterate(const DynamicalSystem& system, const State& state,
     reach = std::max(reach, std::abs(iteration.direction[i]));
   }
   if (reach == 0.0) return 0.0;
-  const double epsilon = 1.5e-8 * std::max(size, 1e-3) / reach;
+  // Half of the digits for the difference, half for what is not linear.
+  const double epsilon = std::sqrt(system.accelerationRounding()) * std::max(size, 1e-3) / reach;
   for (std::size_t i = 0; i < base.size(); ++i) perturbed_[i] = base[i] + epsilon * iteration.direction[i];
   system.acceleration(state.t, ofVelocity ? In(state.x) : In(perturbed_), ofVelocity ? In(perturbed_) : In(state.v),
                       state.z, changed_);
