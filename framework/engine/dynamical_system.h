@@ -1,5 +1,6 @@
 #pragma once
 #include "engine/capabilities.h"
+#include "engine/lane_motion.h"
 #include "harness/dynamical_system.h"
 
 #include <limits>
@@ -34,9 +35,9 @@ class DynamicalSystem : public muelle::DynamicalSystem {
   /// a step) places them before it goes into a force; a state that was committed is placed.
   virtual void place(double /*t*/, In /*z*/, Out /*x*/, Out /*v*/) const {}
 
-  /// The accelerations [m/s^2] by lanes of free flight, the same wherever it is: where the internal variables say that
-  /// nothing but a uniform field acts, until one of them changes. Empty where anything else does, or may.
-  virtual In flight(In /*z*/) const { return {}; }
+  /// The motion where the internal variables say that, until one of them changes, nothing acts but what leaves each
+  /// lane to itself: a uniform field, a contact across a lane. None where anything else does, or may.
+  virtual LaneMotion laneMotion(In /*z*/) const { return {}; }
 
   /// Length of the internal variables z.
   virtual int internalSize() const { return 0; }

@@ -4,7 +4,7 @@ namespace muelle::engine {
 
 Work& Work::operator+=(const Work& other) {
   steps += other.steps;
-  flights += other.flights;
+  inClosedForm += other.inClosedForm;
   rejectedSteps += other.rejectedSteps;
   forceEvaluations += other.forceEvaluations;
   jacobians += other.jacobians;

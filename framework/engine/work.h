@@ -5,7 +5,7 @@ namespace muelle::engine {
 /// What a run has cost, in units that do not depend on the machine.
 struct Work {
   long long steps = 0;             ///< accepted steps
-  long long flights = 0;           ///< of these steps free flights in closed form
+  long long inClosedForm = 0;      ///< of these steps, for no force
   long long rejectedSteps = 0;     ///< steps that were taken again with a smaller h
   long long forceEvaluations = 0;  ///< of the whole system, line searches included
   long long jacobians = 0;         ///< matrices assembled

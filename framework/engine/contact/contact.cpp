@@ -196,10 +196,32 @@ void Contact<D, Shape>::declaredTimes(double from, double to, std::vector<double
   }
 }
 
+/// The lane along the normal, +1 or -1 of which it is; -1 where it is along none.
 template <int D, class Shape>
-bool Contact<D, Shape>::isOff(const double* z) const {
+int Contact<D, Shape>::axisOfNormal() const {
+  if constexpr (std::is_same_v<Shape, Plane<D>>) {
+    for (int c = 0; c < D; ++c) {
+      if (std::abs(shape_.normal[c]) == 1.0) return c;
+    }
+  }
+  return -1;
+}
+
+/// N n = -k (x - centre) - d v along the normal's lane, whichever way it points.
+template <int D, class Shape>
+bool Contact<D, Shape>::addLaneForces(const double* z, const LaneForces& lanes) const {
+  constexpr double mostDamped = 8.0;  // times a half of the critical: beyond, the motion is nearly that of a damper
+  const int axis = axisOfNormal();
   for (int node = 0; node < nodes(); ++node) {
-    if (*own(node, z) != mode::open) return false;
+    const double mode = *own(node, z);
+    if (mode == mode::open) continue;
+    const double k = obstacle_.k, d = obstacle_.d, m = nodes_.mass[static_cast<std::size_t>(node)];
+    const bool inLane = mode == mode::closed && axis >= 0 && k > 0.0 && !hasFriction() && !moves();
+    if (!inLane || d * d > mostDamped * mostDamped * k * m) return false;
+    const int lane = layout_.lane(builtOf(node), axis);
+    lanes.force[lane] += k * obstacle_.centre[axis];
+    lanes.stiffness[lane] += k;
+    lanes.damping[lane] += d;
   }
   return true;
 }
@@ -252,8 +274,12 @@ template <int D, class Shape>
 std::string Contact<D, Shape>::eventName(int guard, const double* z) const {
   const int node = guard / guardsPerNode();
   if (guard % guardsPerNode() == 1) return guardName(guard);
-  const char* what = *own(node, z) == mode::closed ? "touches" : "leaves";
-  return fmt::format("node {} {} '{}'", nodes_.user[static_cast<std::size_t>(node)], what, obstacle_.name);
+  // Put together by hand: a bouncing ball does little else.
+  const std::string number = std::to_string(nodes_.user[static_cast<std::size_t>(node)]);
+  std::string name;
+  name.reserve(20 + number.size() + obstacle_.name.size());
+  name.append("node ").append(number).append(*own(node, z) == mode::closed ? " touches '" : " leaves '");
+  return name.append(obstacle_.name).append(1, '\'');
 }
 
 template <int D, class Shape>

@@ -93,7 +93,7 @@ class Contact final : public ForceBatch,
   std::string guardName(int i) const override;
   std::string eventName(int guard, const double* z) const override;
   void declaredTimes(double from, double to, std::vector<double>& times) const override;
-  bool isOff(const double* z) const override;
+  bool addLaneForces(const double* z, const LaneForces& lanes) const override;
   bool commit(const Configuration& at, bool frozen, double* z) const override;
   bool wantsBalance() const override { return !atRest_.empty(); }
   bool balance(const Configuration& at, const double* f, double* z) const override;
@@ -110,6 +110,7 @@ class Contact final : public ForceBatch,
   int builtOf(int node) const { return nodes_.built[static_cast<std::size_t>(node)]; }
   bool hasFriction() const { return D > 1 && obstacle_.slider.mu > 0.0; }
   int guardsPerNode() const { return hasFriction() ? 2 : 1; }
+  int axisOfNormal() const;
   bool moves() const { return !obstacle_.velocity.isZero(0.0); }
   template <class Number>
   Number* own(int node, Number* z) const {

@@ -1,7 +1,7 @@
 #include "engine/control/event_locator.h"
 
+#include "engine/control/closed_form.h"
 #include "engine/control/step_grid.h"
-#include "engine/control/uniform_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +15,7 @@ namespace {
 constexpr int samples = 8;
 constexpr std::size_t mostSamples = 32;
 constexpr int mostReorderings = 8;
+constexpr double lookAhead = 1e-4;  // of a step, over which slopes are differences
 
 int signOf(double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; }
 
@@ -25,7 +26,7 @@ EventLocator::EventLocator(const DynamicalSystem& system, Stepper& stepper)
   const auto count = static_cast<std::size_t>(switching_.guardCount());
   side_.assign(count, 0);
   for (std::vector<double>* numbers : {&values_, &atFrom_, &atTo_, &slopeFrom_, &slopeTo_}) numbers->assign(count, 0.0);
-  meanAcceleration_.assign(static_cast<std::size_t>(system.storage()), 0.0);
+  acceleration_.assign(static_cast<std::size_t>(system.storage()), 0.0);
 }
 
 const std::vector<double>& EventLocator::guards(const State& state) {
@@ -55,7 +56,7 @@ void EventLocator::start(State& state, double h) {
   guards(state);
   for (const double fraction : {1e-9, 1e-6, 1e-3}) {
     if (std::none_of(values_.begin(), values_.end(), isZero)) break;
-    moveUniformly(state, fraction * h, acceleration, inside_);
+    moveInClosedForm(state, fraction * h, uniformMotion(acceleration), inside_);
     system_.place(inside_.t, inside_.z, inside_.x, inside_.v);
     switching_.commit(inside_, false);  // live, so that the modes are decided anew
     switching_.commit(inside_, true);
@@ -85,7 +86,11 @@ void EventLocator::settle(const State& state) {
 
 /// The rate of the guards at one end of the step, where they are `here`, looking into the step for a time of dt.
 void EventLocator::slopes(const State& state, const std::vector<double>& here, double dt, std::vector<double>& out) {
-  moveUniformly(state, dt, meanAcceleration_, inside_);
+  if (stepper_.wasInClosedForm()) {
+    const LaneMotion motion = system_.laneMotion(state.z);
+    for (std::size_t i = 0; i < acceleration_.size(); ++i) acceleration_[i] = motion.acceleration(state, i);
+  }
+  moveInClosedForm(state, dt, uniformMotion(acceleration_), inside_);
   guards(inside_);
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = (values_[i] - here[i]) / dt;
 }
@@ -99,10 +104,10 @@ bool EventLocator::turnsBack(std::size_t i) const {
 /// within (|slope0| + |slope1|) h / 4 of its ends; twice that, to be safe.
 bool EventLocator::mayCrossTwice(const State& from, const State& to) {
   const double h = stepLength_ = to.t - from.t;
-  for (std::size_t i = 0; i < meanAcceleration_.size(); ++i) meanAcceleration_[i] = (to.v[i] - from.v[i]) / h;
+  for (std::size_t i = 0; i < acceleration_.size(); ++i) acceleration_[i] = (to.v[i] - from.v[i]) / h;
   atFrom_ = guards(from);
-  slopes(from, atFrom_, 1e-4 * h, slopeFrom_);
-  slopes(to, atTo_, -1e-4 * h, slopeTo_);
+  slopes(from, atFrom_, lookAhead * h, slopeFrom_);
+  slopes(to, atTo_, -lookAhead * h, slopeTo_);
   for (std::size_t i = 0; i < side_.size(); ++i) {
     const double nearest = std::min(std::abs(atFrom_[i]), std::abs(atTo_[i]));
     const double reach = 0.5 * h * (std::abs(slopeFrom_[i]) + std::abs(slopeTo_[i]));
@@ -187,6 +192,27 @@ EventLocator::Root EventLocator::denseRoot(int i, const State& from, const State
   return {root, slope};
 }
 
+/// Where in the step guard i, beyond at its end, is 0, by the parabola through its values and slopes, and how fast it
+/// goes there: exact in free flight towards a plane.
+EventLocator::Root EventLocator::parabolaRoot(std::size_t i) const {
+  const double h = stepLength_, dt = lookAhead * h;
+  // Slopes are differences over dt, so each is that of dt / 2 inside.
+  const double curvature = (slopeTo_[i] - slopeFrom_[i]) / (h - dt);
+  const double start = h * (slopeFrom_[i] - 0.5 * dt * curvature);
+  const double bend = atTo_[i] - atFrom_[i] - start;  // g(theta) = at from + start theta + bend theta^2
+  const double inside = start * start - 4.0 * bend * atFrom_[i];
+  const double slope = side_[i] * std::sqrt(std::max(0.0, inside));  // against the side
+  // Of the two forms of the root the one without cancellation: the guard first goes away from its zero, or towards it.
+  const double theta = side_[i] * start > 0.0 ? -0.5 * (start + slope) / bend : 2.0 * atFrom_[i] / (slope - start);
+  return {theta > 0.0 && theta < 1.0 ? theta : 0.5, std::abs(slope)};
+}
+
+/// Its first guess, in parts of the step.
+EventLocator::Root EventLocator::guessOf(int i, const State& from, const State& to, Look look) {
+  if (stepper_.wasInClosedForm() && scanHigh_ == 1.0) return parabolaRoot(static_cast<std::size_t>(i));
+  return denseRoot(i, from, to, look);
+}
+
 EventLocator::Found EventLocator::locate(const State& from, State& to) {
   if (side_.empty()) return {};
   atTo_ = guards(to);
@@ -203,7 +229,7 @@ EventLocator::Found EventLocator::locate(const State& from, State& to) {
   int first = scanChanged_.front();
   Root earliest{.theta = 2.0};
   for (const int i : scanChanged_) {
-    const Root root = denseRoot(i, from, to, look);
+    const Root root = guessOf(i, from, to, look);
     if (root.theta >= earliest.theta) continue;
     earliest = root;
     first = i;

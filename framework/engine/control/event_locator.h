@@ -55,6 +55,8 @@ class EventLocator {
   void slopes(const State& state, const std::vector<double>& here, double dt, std::vector<double>& out);
   bool turnsBack(std::size_t i) const;
   bool scan(const State& from, const State& to, Look look);
+  Root parabolaRoot(std::size_t i) const;
+  Root guessOf(int i, const State& from, const State& to, Look look);
   Root denseRoot(int i, const State& from, const State& to, Look look);
   int wellBeyond(int but) const;
   Found refine(int i, const Root& guess, const State& from, State& to);
@@ -67,7 +69,7 @@ class EventLocator {
   std::vector<int> crossed_;
   double scanLow_ = 0.0, scanHigh_ = 1.0;  // the part of the step in which scan() saw the first change
   double stepLength_ = 0.0;                // [s], of the step that mayCrossTwice() has seen
-  std::vector<double> meanAcceleration_;   // [m/s^2] by lanes, over that step
+  std::vector<double> acceleration_;       // [m/s^2] by lanes, the mean of that step, or in closed form at one end
   std::vector<double> scanTimes_;          // looked at, in parts of the step
   std::vector<int> scanChanged_;
   State inside_;

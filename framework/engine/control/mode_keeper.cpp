@@ -36,7 +36,7 @@ EventLocator::Found ModeKeeper::locate(const State& from, State& to) {
 ModeKeeper::Crossing ModeKeeper::cross(State& state, double nominal) {
   Crossing result;
   if (!frozen_) return result;
-  const std::vector<int> crossed = locator_->crossed();
+  const std::vector<int>& crossed = locator_->crossed();
   for (const int guard : crossed) {
     switching_->cross(guard, state);
     result.events.push_back(switching_->eventName(guard, state));

@@ -81,7 +81,7 @@ void Simulation::startErrorControl() {
   }
   method_.measureErrorsBy(scale_->scale());
   chooseFirstStep();
-  toChooseStep_ = stepper_.flies(state_);
+  toChooseStep_ = stepper_.closedForm(state_).exists();
 }
 
 void Simulation::chooseFirstStep() {
@@ -157,9 +157,9 @@ Advance Simulation::advance() {
   tellMethod();
   tried_ = true;
   retries_ = 0;
-  const bool flies = stepper_.flies(state_);
-  if (!flies && toChooseStep_) chooseFirstStep();  // no flight tells how long the method's steps should be
-  PlannedStep step = flies ? planner_.planFlight(state_.t) : planner_.plan(state_.t);
+  const LaneMotion motion = stepper_.closedForm(state_);
+  if (!motion.exists() && toChooseStep_) chooseFirstStep();  // no flight tells how long the method's steps should be
+  PlannedStep step = motion.exists() ? planner_.planClosedForm(state_.t, motion.longest) : planner_.plan(state_.t);
   cutAtObstacles(step);
   if (!take(step)) return {.kind = Advance::Kind::Stopped};
   return finishStep(step);
@@ -204,7 +204,7 @@ bool Simulation::take(PlannedStep& step) {
       again = retryInexact(step, result);
     } else {
       if (looksAtEnergy() && !goesOn(monitor_.checkEnergy(state_, other_))) return false;
-      if (!stepper_.flew()) planner_.accept(step.length, result.error);
+      if (!stepper_.wasInClosedForm()) planner_.accept(step.length, result.error);
       if (!modes_.frozen()) return true;  // no events are looked for
       const StepResult located = locateEvent(step);
       if (located.done) return true;
@@ -281,7 +281,7 @@ Advance Simulation::finishStep(const PlannedStep& step) {
 }
 
 void Simulation::move(const PlannedStep& step) {
-  if (stepper_.flew()) ++work_.flights;
+  if (stepper_.wasInClosedForm()) ++work_.inClosedForm;
   std::swap(state_, other_);
   hasStep_ = toAccept_ = true;
   ++work_.steps;
@@ -338,7 +338,7 @@ void Simulation::addEvent(std::string what) {
 
 Work Simulation::work() const {
   Work all = method_.work();
-  all.steps = all.flights = all.rejectedSteps = all.events = 0;  // counted here
+  all.steps = all.inClosedForm = all.rejectedSteps = all.events = 0;  // counted here
   all += work_;
   return all;
 }

@@ -135,7 +135,7 @@ class Simulation {
   // What the method is told only before the next step, as its dense output is that of the last one until then.
   bool toAccept_ = false, toRestart_ = false, toStart_ = false;
   bool hasStep_ = false;       // other_ is the begin of the last step
-  bool toChooseStep_ = false;  // the method has made no step yet, free flight only
+  bool toChooseStep_ = false;  // the method has made no step yet, all were in closed form
   bool tried_ = false;         // a step has been tried
   int retries_ = 0;            // of the present step
   StopReport report_;

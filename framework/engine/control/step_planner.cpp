@@ -60,10 +60,10 @@ PlannedStep StepPlanner::plan(double t) const {
   return step;
 }
 
-PlannedStep StepPlanner::planFlight(double t) const {
-  const double rest = stops_.next().t - t;
-  if (rest <= options_.largestStep) return {stops_.next().t, rest, true, false};
-  return {t + options_.largestStep, (t + options_.largestStep) - t, false, false};
+PlannedStep StepPlanner::planClosedForm(double t, double longest) const {
+  const double rest = stops_.next().t - t, most = std::min(longest, options_.largestStep);
+  if (rest <= most) return {stops_.next().t, rest, true, false};
+  return {t + most, (t + most) - t, false, false};
 }
 
 void StepPlanner::shorten(PlannedStep& step, double t, double length) {

@@ -26,8 +26,8 @@ class StepPlanner {
 
   /// The next step from time t, before obstacles are looked at.
   PlannedStep plan(double t) const;
-  /// The same of free flight, to which no error sets a limit.
-  PlannedStep planFlight(double t) const;
+  /// The same in closed form, to which no error sets a limit. \param longest [s]
+  PlannedStep planClosedForm(double t, double longest) const;
   /// Cuts the step so that no node passes through an obstacle; whether that was needed.
   bool cutAtObstacles(const State& from, PlannedStep& step) const;
   /// Lets the step end at `length` from time t.

@@ -1,6 +1,6 @@
 #include "engine/control/stepper.h"
 
-#include "engine/control/uniform_motion.h"
+#include "engine/control/closed_form.h"
 #include "engine/integrators/explicit/engines/step_finish.h"
 
 #include <algorithm>
@@ -25,8 +25,9 @@ void addCompensated(const std::vector<double>& from, const std::vector<double>& 
 
 }  // namespace
 
-Stepper::Stepper(const DynamicalSystem& system, Integrator& method, bool compensated, bool flights, std::size_t size)
-    : system_(system), method_(method), compensated_(compensated), flights_(flights) {
+Stepper::Stepper(const DynamicalSystem& system, Integrator& method, bool compensated, bool mayUseClosedForm,
+                 std::size_t size)
+    : system_(system), method_(method), compensated_(compensated), mayUseClosedForm_(mayUseClosedForm) {
   if (!compensated) return;
   for (Low* low : {&low_, &nextLow_}) {
     low->x.assign(size, 0.0);
@@ -36,10 +37,11 @@ Stepper::Stepper(const DynamicalSystem& system, Integrator& method, bool compens
 
 /// The state at the end of the step; compensated: the increments to it.
 StepResult Stepper::advance(const State& from, double h, State& to) {
-  if (!flew_) return compensated_ ? method_.stepIncrement(system_, from, h, to) : method_.step(system_, from, h, to);
-  (compensated_ ? uniformIncrement : moveUniformly)(from, h, system_.flight(from.z), to);
+  if (!inClosedForm_)
+    return compensated_ ? method_.stepIncrement(system_, from, h, to) : method_.step(system_, from, h, to);
+  (compensated_ ? closedFormIncrement : moveInClosedForm)(from, h, system_.laneMotion(from.z), to);
   const bool finite = firstNotFinite(to.x) < 0 && firstNotFinite(to.v) < 0;
-  return {.done = finite, .error = 0.0, .failure = finite ? "" : "the flight leads beyond all numbers"};
+  return {.done = finite, .error = 0.0, .failure = finite ? "" : "the motion leads beyond all numbers"};
 }
 
 StepResult Stepper::step(const State& from, double h, double t, State& to) {
@@ -47,7 +49,7 @@ StepResult Stepper::step(const State& from, double h, double t, State& to) {
     to.x = low_.x;
     to.v = low_.v;
   }
-  flew_ = flies(from);
+  inClosedForm_ = closedForm(from).exists();
   StepResult result = advance(from, h, to);
   if (compensated_ && result.done) {
     addCompensated(from.x, low_.x, to.x, nextLow_.x);
@@ -60,16 +62,16 @@ StepResult Stepper::step(const State& from, double h, double t, State& to) {
 }
 
 void Stepper::interpolate(const State& from, const State& to, double theta, State& out) {
-  if (!flew_) {
-    method_.interpolate(system_, from, to, theta, out);
+  if (inClosedForm_) {
+    moveInClosedForm(from, theta * (to.t - from.t), system_.laneMotion(from.z), out);
   } else {
-    moveUniformly(from, theta * (to.t - from.t), system_.flight(from.z), out);
+    method_.interpolate(system_, from, to, theta, out);
   }
   system_.place(out.t, out.z, out.x, out.v);
 }
 
 void Stepper::sketch(const State& from, const State& to, double theta, State& out) {
-  if (flew_) return interpolate(from, to, theta, out);
+  if (inClosedForm_) return interpolate(from, to, theta, out);
   method_.sketch(system_, from, to, theta, out);
   system_.place(out.t, out.z, out.x, out.v);
 }
@@ -81,7 +83,7 @@ void Stepper::forget() {
 
 void Stepper::accept() {
   std::swap(low_, nextLow_);
-  if (!flew_) method_.accept();
+  if (!inClosedForm_) method_.accept();
 }
 
 }  // namespace muelle::engine

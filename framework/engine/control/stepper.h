@@ -1,12 +1,13 @@
 #pragma once
 #include "engine/integrator.h"
+#include "engine/lane_motion.h"
 
 #include <vector>
 
 namespace muelle::engine {
 
-/// Takes steps of a method, with compensated summation of the state when asked for. Free flight (DynamicalSystem::
-/// flight) may be taken in closed form instead, x + h v + h^2/2 a: any length of it is exact, for no force.
+/// Takes steps of a method, with compensated summation of the state when asked for. Where every lane goes its own way
+/// (DynamicalSystem::laneMotion), as in free flight, it may be taken in closed form instead: exact, for no force.
 ///
 /// Compensated: the state is the sum of two numbers, its double and a low part that the doubles have lost. A step gives
 /// the increment dx (Integrator::stepIncrement); x + (low + dx) is rounded to the new double, and what the rounding
@@ -15,17 +16,19 @@ namespace muelle::engine {
 /// Wanner, VIII.5.
 class Stepper {
  public:
-  /// \param flights whether free flight is taken in closed form
-  Stepper(const DynamicalSystem& system, Integrator& method, bool compensated, bool flights, std::size_t size);
+  /// \param mayUseClosedForm whether it does where it can
+  Stepper(const DynamicalSystem& system, Integrator& method, bool compensated, bool mayUseClosedForm, std::size_t size);
 
-  /// Whether a step from there is free flight in closed form.
-  bool flies(const State& from) const { return flights_ && !system_.flight(from.z).empty(); }
-  /// Whether the last step was.
-  bool flew() const { return flew_; }
+  /// The motion of a step from there in closed form; none where the method takes it.
+  LaneMotion closedForm(const State& from) const {
+    return mayUseClosedForm_ ? system_.laneMotion(from.z) : LaneMotion{};
+  }
+  /// Whether the last step was in closed form.
+  bool wasInClosedForm() const { return inClosedForm_; }
 
   /// A step from `from` of length h that ends at time t. May be called again from the same state.
   StepResult step(const State& from, double h, double t, State& to);
-  /// The state inside the last step: Integrator::interpolate() and sketch(), or of free flight that itself; with moved
+  /// The state inside the last step: Integrator::interpolate() and sketch(), or the closed form; with moved
   /// nodes in their places.
   void interpolate(const State& from, const State& to, double theta, State& out);
   void sketch(const State& from, const State& to, double theta, State& out);
@@ -45,8 +48,8 @@ class Stepper {
   const DynamicalSystem& system_;
   Integrator& method_;
   bool compensated_;
-  bool flights_;
-  bool flew_ = false;  ///< the last step was free flight
+  bool mayUseClosedForm_;
+  bool inClosedForm_ = false;  ///< the last step was
   Low low_, nextLow_;
 };
 

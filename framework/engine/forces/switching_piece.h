@@ -1,5 +1,6 @@
 #pragma once
 #include "engine/forces/configuration.h"
+#include "engine/lane_motion.h"
 
 #include <limits>
 #include <string>
@@ -16,8 +17,9 @@ class SwitchingPiece {
   /// Number of internal variables; they start at zOffset_.
   virtual int internalSize() const = 0;
   void setInternalOffset(int offset) { zOffset_ = offset; }
-  /// Whether the internal variables, frozen, say that no force acts until the next event.
-  virtual bool isOff(const double* /*z*/) const { return false; }
+  /// Adds what acts until the next event, as the internal variables, frozen, say; false where that couples lanes, is
+  /// not linear, or changes with time.
+  virtual bool addLaneForces(const double* /*z*/, const LaneForces& /*lanes*/) const { return false; }
   /// Sets the internal variables for the configuration; true when the force may have changed.
   virtual bool commit(const Configuration& at, bool frozen, double* z) const = 0;
   virtual void declaredTimes(double /*from*/, double /*to*/, std::vector<double>& /*times*/) const {}

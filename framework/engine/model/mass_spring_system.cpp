@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -25,7 +26,7 @@ MassSpringSystem::MassSpringSystem(Model model, Numbering numbering, std::vector
   layOut();
   rods_ = rodsOfModel();
   collectPieces();
-  foreseeFlight();
+  foreseeLaneMotion();
 }
 
 /// Masses by lane, the lanes of the unknowns, and which nodes are moved.
@@ -75,21 +76,47 @@ void MassSpringSystem::collectPieces() {
   switches_ = internalSize_ > 0 || guardCount_ > 0 || !times.empty();
 }
 
-void MassSpringSystem::foreseeFlight() {
-  const bool mayBeOff = std::ranges::all_of(
-      batches_, [](const auto& batch) { return batch->isUniformField() || batch->switchingPiece() != nullptr; });
-  if (!mayBeOff || drag_ || !rods_.empty()) return;
-  fall_.assign(mass_.size(), 0.0);
+/// Whether there may be motions in closed form at all, and what falls in them.
+void MassSpringSystem::foreseeLaneMotion() {
+  mayGoByLanes_ = !drag_ && rods_.empty() && std::ranges::all_of(batches_, [](const auto& batch) {
+    return batch->isUniformField() || batch->switchingPiece() != nullptr;
+  });
+  if (!mayGoByLanes_) return;
+  weight_.assign(mass_.size(), 0.0);
   for (const auto& batch : batches_) {
-    if (batch->isUniformField()) batch->addForce({}, fall_.data());
+    if (batch->isUniformField()) batch->addForce({}, weight_.data());
   }
-  for (std::size_t i = 0; i < fall_.size(); ++i) fall_[i] *= inverseMass_[i];
 }
 
-In MassSpringSystem::flight(In z) const {
-  if (fall_.empty()) return {};
-  const bool off = std::ranges::all_of(switching_, [&](const SwitchingPiece* piece) { return piece->isOff(z.data()); });
-  return off ? In(fall_) : In();
+LaneMotion MassSpringSystem::laneMotion(In z) const {
+  if (!mayGoByLanes_) return {};
+  LaneArrays& lanes = laneMotion_;
+  if (!lanes.known || !std::ranges::equal(z, lanes.z)) findLaneMotion(z);
+  return lanes.motion;
+}
+
+void MassSpringSystem::findLaneMotion(In z) const {
+  LaneArrays& lanes = laneMotion_;
+  lanes.known = true;
+  lanes.z.assign(z.begin(), z.end());
+  lanes.force = weight_;
+  lanes.stiffness.assign(mass_.size(), 0.0);
+  lanes.damping.assign(mass_.size(), 0.0);
+  lanes.motion = {};
+  const LaneForces forces = {lanes.force.data(), lanes.stiffness.data(), lanes.damping.data()};
+  const auto adds = [&](const SwitchingPiece* piece) { return piece->addLaneForces(z.data(), forces); };
+  if (!std::ranges::all_of(switching_, adds)) return;
+  double stiffest = 0.0;
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    for (double* value : {&lanes.force[i], &lanes.stiffness[i], &lanes.damping[i]}) *value *= inverseMass_[i];
+    stiffest = std::max(stiffest, lanes.stiffness[i]);
+  }
+  lanes.motion.force = lanes.force;
+  if (stiffest == 0.0) return;
+  lanes.motion.stiffness = lanes.stiffness;
+  lanes.motion.damping = lanes.damping;
+  // A little more than a quarter of a period: a contact of a free node is over in the second such step.
+  lanes.motion.longest = 1.6 / std::sqrt(stiffest);
 }
 
 std::vector<Rod> MassSpringSystem::rodsOfModel() const {

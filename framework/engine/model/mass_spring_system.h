@@ -47,7 +47,7 @@ class MassSpringSystem final : public ModelSystem,
   /// On held nodes it is what their holders take, without the drag.
   void force(double t, In x, In v, In z, Out f) const override;
   void acceleration(double t, In x, In v, In z, Out a) const override;
-  In flight(In z) const override;
+  LaneMotion laneMotion(In z) const override;
   bool movesNodes() const override { return !moved_.empty(); }
   void place(double t, In z, Out x, Out v) const override;
   int internalSize() const override { return internalSize_; }
@@ -123,7 +123,8 @@ class MassSpringSystem final : public ModelSystem,
   void layOut();
   std::vector<Rod> rodsOfModel() const;
   void collectPieces();
-  void foreseeFlight();
+  void foreseeLaneMotion();
+  void findLaneMotion(In z) const;
   void requireEveryLane(Out f) const;
   void clear(Out f) const;
   void sumForces(const Configuration& at, std::size_t first, double* f) const;
@@ -161,7 +162,15 @@ class MassSpringSystem final : public ModelSystem,
   std::vector<const SwitchingPiece*> thin_;     ///< of these those with thin obstacles
   std::vector<const FrictionPiece*> friction_;
   std::vector<Rod> rods_;
-  std::vector<double> fall_;  ///< [m/s^2] by lanes; empty where more acts than a uniform field and what can be off
+  bool mayGoByLanes_ = false;   ///< nothing acts but a uniform field and what can be off, or in a lane
+  std::vector<double> weight_;  ///< [N] by lanes; empty where not
+  /// The last answer of laneMotion().
+  struct LaneArrays {
+    bool known = false;
+    std::vector<double> z, force, stiffness, damping;
+    LaneMotion motion;
+  };
+  mutable LaneArrays laneMotion_;
   mutable std::vector<double> scratch_;
   mutable std::optional<MatrixPattern> pattern_;  ///< laid out when first asked for: explicit methods never do
 };

@@ -12,7 +12,7 @@ namespace {
 
 using engine::MethodInfo;
 
-enum Rule { Refused, Missing, Growth, Cost, Ringing, Iteration, Conservation, Flight, LinearError, Tolerance };
+enum Rule { Refused, Missing, Growth, Cost, Ringing, Iteration, Conservation, Closed, Flight, LinearError, Tolerance };
 
 /// The need of the method that the system does not meet; empty when it meets all.
 std::string missingNeed(const MethodInfo& method, const engine::DynamicalSystem& system) {
@@ -221,6 +221,10 @@ const std::vector<PredictionRule>& predictionRules() {
        "a position based method stops iterating before coupled constraints are solved: too soft where a step is long "
        "for the stiffest spring"},
       {"conservation", "the method keeps the measured invariant exactly (MethodInfo::conserves...)"},
+      {"closed form",
+       "while each node's components go their own ways, in free flight and in contacts across one of them, a method "
+       "that "
+       "chooses its steps has no part in them"},
       {"free flight",
        "methods of order 1 are off by h a t / 2 under a constant acceleration a for the time t; from order 2 on they "
        "are "
@@ -250,6 +254,9 @@ Prediction predict(const MethodInfo& method, const Variant& variant, const engin
   }
   if (variant.measure == Measure::Energy && method.conservesEnergy) {
     return {Expectation::Passes, Conservation, 0.0, "keeps the energy but for rounding"};
+  }
+  if (variant.inClosedForm && method.adaptive) {
+    return {Expectation::Passes, Closed, 0.0, "exact but for rounding, whatever the method"};
   }
   Outlook foreseen = outlook(method, variant, duration, budget);
   if (foreseen.dear) {

@@ -56,13 +56,14 @@ struct Variant {
   std::optional<Sensitivity> sensitivity = {};  ///< computed (completeFacts())
   double extent = 0.0;  ///< [m] of a motion that is not linear: nothing bounded is further off; computed likewise
   double flightAcceleration =
-      0.0;                  ///< [m/s^2] of a ballistic part of the motion, by which first order methods are off ...
-  double flightTime = 0.0;  ///< ... after this time [s]
-  double stiffest = 0.0;    ///< [1/s] omega of the stiffest mode of a non-linear scene with large motions
-  int coupled = 1;          ///< constraints that act on each other: an iteration does not solve them at once
-  double stretch = 0.0;     ///< [m] of the coupled constraints under their load; 0: as the largest amplitude
-  bool realTime = false;    ///< its bar is asked for in no more time than the motion takes
-  bool inputs = false;      ///< not a run: steps and states that must be refused (H24)
+      0.0;                    ///< [m/s^2] of a ballistic part of the motion, by which first order methods are off ...
+  double flightTime = 0.0;    ///< ... after this time [s]
+  double stiffest = 0.0;      ///< [1/s] omega of the stiffest mode of a non-linear scene with large motions
+  int coupled = 1;            ///< constraints that act on each other: an iteration does not solve them at once
+  double stretch = 0.0;       ///< [m] of the coupled constraints under their load; 0: as the largest amplitude
+  bool realTime = false;      ///< its bar is asked for in no more time than the motion takes
+  bool inClosedForm = false;  ///< events apart, each component goes its own way (DynamicalSystem::laneMotion)
+  bool inputs = false;        ///< not a run: steps and states that must be refused (H24)
 
   std::string label() const { return name.empty() ? id : id + " " + name; }
 };

@@ -159,8 +159,8 @@ std::string sharedMistake(const Scene& scene, const SceneRun& run) {
       std::ranges::any_of(scene.model.obstacles, [](const auto& obstacle) { return obstacle.material.mu > 0.0; });
   if (rubs && !scene.locateEvents) return "friction sticks and slips between steps (events are off)";
   if (!run.options.fixedStep) {
-    const bool isFlight = run.result.work.flights == run.result.work.steps;
-    return run.result.work.steps < 2 && !isFlight ? "the whole run is one step" : "";
+    const bool isExact = run.result.work.inClosedForm == run.result.work.steps;
+    return run.result.work.steps < 2 && !isExact ? "the whole run is one step" : "";
   }
   const double h = run.options.h;
   if (h >= 0.5 * duration) return fmt::format("the step of {:.3g} s is at least half of the run", h);

@@ -38,7 +38,7 @@ std::string stepLine(const Scene& scene, const SceneRun& run) {
       isFixed(scene) ? fmt::format("h = {:.4g} s", run.options.h)
                      : fmt::format("chosen for a tolerance of {:.2g} of the motion", run.options.tolerance.relative);
   text += ", " + countedInGroups(work.steps, "step");
-  if (work.flights > 0) text += fmt::format(", {} of them free flight", grouped(work.flights));
+  if (work.inClosedForm > 0) text += fmt::format(", {} of them in closed form", grouped(work.inClosedForm));
   if (work.rejectedSteps > 0) text += fmt::format(", {} rejected", grouped(work.rejectedSteps));
   if (run.result.subdividedSteps > 0) {
     text += fmt::format(", {} cut so that nothing passes through an obstacle", grouped(run.result.subdividedSteps));

@@ -74,7 +74,7 @@ TEST_P(Flight, InTheAirCostsNoForceAndIsExact) {
   }
   EXPECT_LE(result.work.forceEvaluations, 3) << "the start and the choice of a first step";
   EXPECT_EQ(result.work.steps, 1) << "outputs are looked at inside the flight";
-  EXPECT_EQ(result.work.flights, 1);
+  EXPECT_EQ(result.work.inClosedForm, 1);
 }
 
 TEST_P(Flight, EndsAtTheFirstOfSeveralObstacles) {

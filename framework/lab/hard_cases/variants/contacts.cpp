@@ -22,6 +22,7 @@ Variant h17() {
               .duration = reference("H17", "n_bounces(10)") * std::numbers::pi / omega,
               .located = true}};
   v.sensitive = true;
+  v.inClosedForm = true;
   v.flightAcceleration = 9.81;
   v.flightTime = 10.0;
   return v;
