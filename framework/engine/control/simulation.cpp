@@ -218,7 +218,7 @@ bool Simulation::take(PlannedStep& step) {
 /// A step that is done is finite; that the energy explodes shows in some later step as well, and with many lanes it
 /// costs a tenth of a step to look.
 bool Simulation::looksAtEnergy() const {
-  constexpr std::size_t many = 512;
+  constexpr std::size_t many = 64;
   return state_.x.size() < many || work_.steps % 4 == 0;
 }
 

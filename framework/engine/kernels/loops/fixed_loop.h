@@ -9,7 +9,7 @@
 namespace muelle::engine::kernels {
 namespace {
 
-/// See Kernels::toFixed. What is no number makes x - x none, which stays in a sum.
+/// See Kernels::toFixed. What is no finite number makes 0 x none, which stays in a sum.
 template <class Lanes>
 double toFixed(const double* values, double first, double perUnit, std::size_t count, std::int32_t* fixed) {
   using Vector = typename Lanes::Vector;
@@ -22,7 +22,7 @@ double toFixed(const double* values, double first, double perUnit, std::size_t c
       const Vector from = Lanes::load(values + i + t * width) - Lanes::all(first);
       Lanes::storeRounded(fixed + i + t * width, from * Lanes::all(perUnit));
       far[t] = Lanes::larger(far[t], Lanes::magnitude(from));
-      strange[t] += from - from;
+      strange[t] += Lanes::all(0.0) * from;
     }
   }
   double largest = 0.0, sum = 0.0, lanes[width];
@@ -36,7 +36,7 @@ double toFixed(const double* values, double first, double perUnit, std::size_t c
     const double from = values[i] - first, size = __builtin_fabs(from), units = __builtin_rint(from * perUnit);
     fixed[i] = __builtin_fabs(units) < 2147483648.0 ? static_cast<std::int32_t>(units) : 0;  // else of no use anyway
     largest = size > largest ? size : largest;
-    sum += from - from;
+    sum += 0.0 * from;
   }
   return largest + sum;
 }

@@ -13,7 +13,8 @@ namespace {
 using FourSingles = float __attribute__((vector_size(16)));
 using FourIntegers = std::int32_t __attribute__((vector_size(16)));
 using LooseFourSingles __attribute__((aligned(4), may_alias)) = FourSingles;
-using LooseFourIntegers __attribute__((aligned(4), may_alias)) = FourIntegers;
+using FourUnsigned = std::uint32_t __attribute__((vector_size(16)));
+using LooseFourUnsigned __attribute__((aligned(4), may_alias)) = FourUnsigned;
 
 struct SingleLanes4 {
   using Vector = FourSingles;
@@ -34,10 +35,11 @@ struct SingleLanes4 {
     return reinterpret_cast<Vector>(reinterpret_cast<FourIntegers>(value) & (condition != 0.0F));
   }
 
-  /// a - b of integers along an array.
+  /// a - b of integers along an array; modulo 2^32 where they are of a unit that is to be replaced.
   static Vector difference(const std::int32_t* a, const std::int32_t* b) {
-    return __builtin_convertvector(
-        *reinterpret_cast<const LooseFourIntegers*>(a) - *reinterpret_cast<const LooseFourIntegers*>(b), Vector);
+    const FourUnsigned apart =
+        *reinterpret_cast<const LooseFourUnsigned*>(a) - *reinterpret_cast<const LooseFourUnsigned*>(b);
+    return __builtin_convertvector(reinterpret_cast<FourIntegers>(apart), Vector);
   }
 
   /// Two nodes' sums of forces as doubles: half 0 or 1.

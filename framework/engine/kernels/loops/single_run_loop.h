@@ -16,7 +16,11 @@ struct SingleLane {
   static Vector all(float value) { return value; }
   static Vector root(Vector a) { return __builtin_sqrtf(a); }
   static Vector whereNotZero(Vector condition, Vector value) { return condition != 0.0F ? value : 0.0F; }
-  static Vector difference(const std::int32_t* a, const std::int32_t* b) { return static_cast<float>(*a - *b); }
+  static Vector difference(const std::int32_t* a, const std::int32_t* b) {
+    const std::uint32_t apart =
+        static_cast<std::uint32_t>(*a) - static_cast<std::uint32_t>(*b);  // modulo, as registers
+    return static_cast<float>(static_cast<std::int32_t>(apart));
+  }
 };
 
 /// A coefficient of the material, by the unit of what it is multiplied with: one register for all, or one read a step.
