@@ -29,9 +29,16 @@ std::vector<const Curve*> shown(const SceneResult& scene) {
   return ours;
 }
 
+/// What is off by less stands at it.
+constexpr double leastShown = 1e-10;
+
 std::string nameInKey(const Curve& curve) {
-  if (curve.row == Row::Ours) return "ours " + curve.method;
-  return fmt::format("{} {} {}", nameOf(curve.row), curve.library, curve.method);
+  const bool isExact = std::ranges::all_of(curve.points, [](const CurvePoint& point) {
+    return !point.failed() && point.error.position <= leastShown;
+  });
+  const char* tail = isExact ? ", off by less than 1e-10" : "";
+  if (curve.row == Row::Ours) return fmt::format("ours {}{}", curve.method, tail);
+  return fmt::format("{} {} {}{}", nameOf(curve.row), curve.library, curve.method, tail);
 }
 
 struct Numbers {
@@ -42,7 +49,7 @@ struct Numbers {
 Numbers numbersOf(const Curve& curve) {
   Numbers numbers;
   for (const CurvePoint& point : curve.points) {
-    const double error = point.failed() ? 1.0 : std::min(1.0, std::max(point.error.position, 1e-14));
+    const double error = point.failed() ? 1.0 : std::clamp(point.error.position, leastShown, 1.0);
     if (error == 1.0 && !numbers.error.empty() && numbers.error.back() == 1.0) {
       // One point at the margin is enough: the finest that fails.
       for (auto* values : {&numbers.error, &numbers.seconds, &numbers.evaluations}) values->pop_back();
@@ -72,7 +79,7 @@ Figure figureOf(const SceneResult& scene) {
     evaluations.linePoints("", numbers.error, numbers.evaluations).colour(colour++);
     least = std::min(least, *std::ranges::min_element(numbers.error));
   }
-  for (auto* panel : {&seconds, &evaluations}) panel->logX().logY().xRange(std::max(least / 2.0, 1e-10), 2.0);
+  for (auto* panel : {&seconds, &evaluations}) panel->logX().logY().xRange(least > 2.0 * leastShown ? least / 2.0 : 0.5 * leastShown, 2.0);
   return figure;
 }
 
