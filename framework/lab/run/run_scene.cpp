@@ -30,6 +30,18 @@ double positiveOption(const char* option, const char* unit, double value) {
 /// An adaptive method takes its step by the tolerance, unless the scene has only a step for it.
 bool isFixed(const Scene& scene) { return !methodInfo(scene.method).adaptive || !scene.tolerance; }
 
+/// Whether the scene asks for springs in single precision.
+bool asksForSingle(const SceneRun& run) { return run.system->model().precision == kernels::Precision::Single; }
+
+/// What that changes nothing for, a line; empty where it does, or is not asked for.
+std::vector<std::string> unusedPrecision(const SceneRun& run) {
+  const char* changesNothing = "precision = \"single\" changes nothing";
+  if (!asksForSingle(run)) return {};
+  if (!run.system->mayBeSingle()) return {fmt::format("{}: no springs lie on a grid of 2D or 3D", changesNothing)};
+  if (!run.method.implicit) return {};
+  return {fmt::format("{}: {} balances forces in double", changesNothing, run.method.name)};
+}
+
 // --- lines of the summary ---
 
 std::string stepLine(const Scene& scene, const SceneRun& run) {
@@ -202,7 +214,7 @@ SceneRun runScene(const Scene& scene, const std::string& label, double available
   options.probes = probesOf(scene, *run.system);
   run.result = simulate(*run.system, *method, run.system->initialState(), options);
   run.energy = energyBalance(*run.system, run.method.id, run.options, run.result);
-  std::vector<std::string> singular;
+  std::vector<std::string> singular = unusedPrecision(run);
   for (const SingularPoint& point : singularPoints(*run.system, run.system->initialState())) {
     singular.push_back("at the start " + point.what);
   }
@@ -257,7 +269,9 @@ std::string summaryOf(const Scene& scene, const SceneRun& run) {
   if (run.energy.fails()) text += summaryLine("FAILED", energyFailure(run.energy));
   text += summaryLine("scene", sizeLine(scene, run));
   for (const std::string& warning : scene.warnings) text += summaryLine("warning", warning);
-  text += summaryLine("method", fmt::format("{}, order {}", run.method.name, run.method.order));
+  const bool single = asksForSingle(run) && unusedPrecision(run).empty();
+  text += summaryLine("method", fmt::format("{}, order {}{}", run.method.name, run.method.order,
+                                            single ? ", springs in single precision" : ""));
   text += summaryLine("step", stepLine(scene, run));
   text += summaryLine("time", timeLine(run));
   text += summaryLine("error", errorLine(run));

@@ -195,6 +195,27 @@ TEST(Summary, NamesMethodErrorEnergyAndWork) {
   EXPECT_THAT(text, HasSubstr("101 force evaluations"));
 }
 
+TEST(Summary, SaysWhereSinglePrecisionIsAndWhereItChangesNothing) {
+  Scene net = oscillator();
+  net.model = {};
+  net.model.precision = kernels::Precision::Single;
+  net.outputs.clear();
+  for (int i = 0; i < 36; ++i) {
+    net.model.nodes.push_back({.x = {0.1 * (i % 6), 0.1 * (i / 6), 0.0}, .v = {0.0, 0.0, 0.01 * i}, .pinned = i < 6});
+    if (i % 6 > 0) net.model.springs.push_back({.a = i - 1, .b = i, .k = 10.0, .L0 = 0.09});
+    if (i >= 6) net.model.springs.push_back({.a = i - 6, .b = i, .k = 10.0, .L0 = 0.09});
+    if (i % 6 > 0 && i >= 6) net.model.springs.push_back({.a = i - 7, .b = i, .k = 10.0, .L0 = 0.14});
+  }
+  EXPECT_THAT(summaryOf(net, runScene(net)), HasSubstr("velocity Verlet, order 2, springs in single precision"));
+  net.method = "implicit_midpoint";
+  EXPECT_THAT(summaryOf(net, runScene(net)),
+              HasSubstr("\"single\" changes nothing: implicit midpoint balances forces in "
+                        "double"));
+  Scene none = oscillator();
+  none.model.precision = kernels::Precision::Single;
+  EXPECT_THAT(summaryOf(none, runScene(none)), HasSubstr("\"single\" changes nothing: no springs lie on a grid"));
+}
+
 /// "1e+02 %" is no number that one reads.
 TEST(Summary, CountsEnergiesBeyondTheScaleInTimes) {
   Scene scene = oscillator();
