@@ -33,9 +33,8 @@ std::vector<const Curve*> shown(const SceneResult& scene) {
 constexpr double leastShown = 1e-10;
 
 std::string nameInKey(const Curve& curve) {
-  const bool isExact = std::ranges::all_of(curve.points, [](const CurvePoint& point) {
-    return !point.failed() && point.error.position <= leastShown;
-  });
+  const bool isExact = std::ranges::all_of(
+      curve.points, [](const CurvePoint& point) { return !point.failed() && point.error.position <= leastShown; });
   const char* tail = isExact ? ", off by less than 1e-10" : "";
   if (curve.row == Row::Ours) return fmt::format("ours {}{}", curve.method, tail);
   return fmt::format("{} {} {}{}", nameOf(curve.row), curve.library, curve.method, tail);
@@ -79,7 +78,8 @@ Figure figureOf(const SceneResult& scene) {
     evaluations.linePoints("", numbers.error, numbers.evaluations).colour(colour++);
     least = std::min(least, *std::ranges::min_element(numbers.error));
   }
-  for (auto* panel : {&seconds, &evaluations}) panel->logX().logY().xRange(least > 2.0 * leastShown ? least / 2.0 : 0.5 * leastShown, 2.0);
+  for (auto* panel : {&seconds, &evaluations})
+    panel->logX().logY().xRange(least > 2.0 * leastShown ? least / 2.0 : 0.5 * leastShown, 2.0);
   return figure;
 }
 
