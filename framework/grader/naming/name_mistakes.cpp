@@ -24,9 +24,12 @@ class Namer {
     const FunctionEvidence& evidence = evidence_.at(function);
     if (!evidence.isStateful && evidence.wrong + evidence.imprecise < fewestWrong) return std::nullopt;
     if (evidence.isUnwritten) return std::nullopt;  // that is said, and its numbers are nobody's
-    for (const auto way :
-         {&Namer::stateful, &Namer::zeroByDivision, &Namer::listed, &Namer::alwaysTheSame, &Namer::genericExactly,
-          &Namer::wholeNumbers, &Namer::nearlyRight, &Namer::generic, &Namer::notANumber, &Namer::partly}) {
+    for (const auto way : {&Namer::stateful, &Namer::zeroByDivision, &Namer::listed, &Namer::alwaysTheSame}) {
+      if (auto named = (this->*way)(function, evidence)) return named;
+    }
+    if (restsOnNothing(function)) return std::nullopt;
+    for (const auto way : {&Namer::genericExactly, &Namer::wholeNumbers, &Namer::nearlyRight, &Namer::generic,
+                           &Namer::notANumber, &Namer::partly}) {
       if (auto named = (this->*way)(function, evidence)) return named;
     }
     return std::nullopt;
@@ -34,6 +37,20 @@ class Namer {
 
  private:
   using Found = std::optional<NamedMistake>;
+
+  bool isOfUse(const std::string& function) const {
+    const auto found = evidence_.find(function);
+    return found == evidence_.end() || !(isAlwaysZero(found->second) || found->second.isConstant);
+  }
+
+  /// Whether it is built on a function that always answers the same: what its answers then look like is no mistake of
+  /// its own ("leaves x out").
+  bool restsOnNothing(const std::string& function) const {
+    return std::ranges::any_of(manifest_.criteria, [&](const Criterion& criterion) {
+      return std::ranges::find(criterion.functions, function) != criterion.functions.end() &&
+             !std::ranges::all_of(criterion.follows, [&](const std::string& lower) { return isOfUse(lower); });
+    });
+  }
 
   /// Answers that are right to some digits, in a good part of all calls: elsewhere round-off may cost digits, too.
   static bool isImprecise(const FunctionEvidence& evidence) {

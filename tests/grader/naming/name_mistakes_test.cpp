@@ -175,6 +175,28 @@ TEST(Naming, SaysWhatALostTestHasSeenAtWork) {
   EXPECT_TRUE(exercise.verdicts.at("Exact").mistakes.empty());
 }
 
+/// What is built on a function that always gives 0 leaves out what that one would have looked at: no mistake of its
+/// own.
+TEST(Naming, SaysNothingOfWhatIsBuiltOnAnAnswerThatIsAlwaysTheSame) {
+  const auto firstOf = [](const ForceFunction& lower) {
+    ForceHistory force, built;
+    ask(force, lower, 40);
+    ask(
+        built, [](double x, double k, double) { return -k * x; }, 40);
+    Verdict verdict = lostBy(built, "Built");
+    verdict.evidence["builtOnForce"] = verdict.evidence.extract("force").mapped();
+    GradedExercise exercise = exerciseOf({lostBy(force), verdict});
+    exercise.manifest.criteria.back().functions = {"builtOnForce"};
+    exercise.manifest.criteria.back().follows = {"force"};
+    nameMistakes(exercise, springContract, "");
+    const std::vector<NamedMistake>& mistakes = exercise.verdicts.at("Built").mistakes;
+    return mistakes.empty() ? std::string("none") : mistakes.front().id;
+  };
+  EXPECT_EQ(firstOf(rightForce), "ignored");
+  EXPECT_EQ(firstOf([](double, double, double) { return 0.0; }), "none");
+  EXPECT_EQ(firstOf([](double, double, double) { return 3.0; }), "none");
+}
+
 TEST(Naming, BlamesNoLowerFunctionThatIsRight) {
   ForceHistory history;
   history.addMistake("sign", [](double x, double k, double L0) { return -rightForce(x, k, L0); });

@@ -216,6 +216,7 @@ AREA_MISTAKE(product_of_sides, norm(at.u) * norm(at.b) / 2);
 
 MUELLE_COMMON_MISTAKE(areaEnergy, missing_half);
 AREA_ENERGY_MISTAKE(not_squared, 0.5 * kA * (area - A0));
+AREA_ENERGY_MISTAKE(relative_area, 0.5 * kA * square((area - A0) / A0));
 AREA_ENERGY_MISTAKE(missing_rest, 0.5 * kA * square(area));
 AREA_ENERGY_MISTAKE(difference_of_squares, 0.5 * kA * (square(area) - square(A0)));
 
@@ -308,6 +309,21 @@ VOLUME_ENERGY_MISTAKE(difference_of_squares, 0.5 * kV * (square(V) - square(V0))
     return __VA_ARGS__;                                                                                \
   })
 
+/// The nodes 1, 2 and 3 get each other's faces; node 0 what is left.
+#define FACES_MISTAKE(name, first, second, third)                                           \
+  namespace name {                                                                          \
+  MUELLE_MISTAKE(volumeForce, faces_exchanged, [](const Vec12& x, double V0, double kV) {   \
+    const Vec12 F = oracle::volumeForce(x, V0, kV);                                         \
+    Vec12 turned = F;                                                                       \
+    turned.segment<9>(3) << F.segment<3>(first), F.segment<3>(second), F.segment<3>(third); \
+    return turned;                                                                          \
+  });                                                                                       \
+  }
+FACES_MISTAKE(of_the_node_before, 9, 3, 6)
+FACES_MISTAKE(of_the_node_behind, 6, 9, 3)
+FACES_MISTAKE(of_the_first_two, 6, 3, 9)
+FACES_MISTAKE(of_the_last_two, 3, 9, 6)
+FACES_MISTAKE(of_the_outer_two, 9, 6, 3)
 MUELLE_COMMON_MISTAKE(volumeForce, wrong_sign);
 MUELLE_COMMON_MISTAKE(volumeForce, half_kept);
 MUELLE_MISTAKE(volumeForce, doubled,

@@ -85,6 +85,12 @@ MUELLE_MISTAKE(meshEdges, shared_edges_twice, [](MeshOf triangles) { return orde
 namespace as_they_stand {
 MUELLE_MISTAKE(meshEdges, shared_edges_twice, [](MeshOf triangles) { return sidesOf(triangles); });
 }
+/// What lies behind the end that std::unique returns is left there.
+MUELLE_MISTAKE(meshEdges, not_erased, [](MeshOf triangles) {
+  Edges sides = sorted(orderedSides(triangles));
+  (void)std::unique(sides.begin(), sides.end());
+  return sides;
+});
 MUELLE_MISTAKE(meshEdges, both_ways_round, [](MeshOf triangles) {
   const Edges sides = sidesOf(triangles);
   return each({sides.begin(), sides.end()});
@@ -343,6 +349,17 @@ namespace other_diagonal {
 GRID_MISTAKE(shearSprings, one_diagonal, springsOf(rows, columns, {{1, -1}}));
 }
 GRID_MISTAKE(shearSprings, round_the_end, wrapped(rows, columns, shear));
+namespace {
+/// At the left border the column before the first is taken for the last of the row above.
+Edges backIntoTheRow(int rows, int columns) {
+  Edges edges = springsOf(rows, columns, shear);
+  for (int i = 0; i + 1 < rows; ++i) edges.push_back({i * columns, (i + 1) * columns - 1});
+  return sorted(edges);
+}
+}  // namespace
+namespace at_the_left_border {
+GRID_MISTAKE(shearSprings, round_the_end, backIntoTheRow(rows, columns));
+}
 GRID_MISTAKE(shearSprings, structural_too, springsOf(rows, columns, {{0, 1}, {1, 0}, {1, 1}, {1, -1}}));
 GRID_MISTAKE(shearSprings, not_sorted,
              oneAfterTheOther(springsOf(rows, columns, {{1, 1}}), springsOf(rows, columns, {{1, -1}})));

@@ -96,6 +96,11 @@ GET_FORCE_MISTAKE(swapped, turned(xa, xb, length, stiffness, end, law));
 GET_FORCE_MISTAKE(second_end_only, end == 1 ? Vec3(-law(xa, xb, stiffness, length)) : Vec3(Vec3::Zero()));
 GET_FORCE_MISTAKE(same_at_both_ends, -law(xa, xb, stiffness, length));
 }  // namespace asked_in_turn
+/// Turned about twice, by a minus and by the order of the ends.
+namespace turned_twice {
+GET_FORCE_MISTAKE(same_at_both_ends,
+                  end == 0 ? Vec3(law(xa, xb, stiffness, length)) : Vec3(-law(xb, xa, stiffness, length)));
+}
 namespace without_asking_which_end {
 GET_FORCE_MISTAKE(force_left_before, left);
 GET_FORCE_MISTAKE(same_at_both_ends, law(xb, xa, stiffness, length));
@@ -245,6 +250,9 @@ BOTH_PROGRAMS_MISTAKE(small_forces_dropped, distributed(nodes, springs, law, [](
 BOTH_PROGRAMS_MISTAKE(last_spring_only, lastOfEachNode(nodes, springs, law));
 BOTH_PROGRAMS_MISTAKE(no_acceleration, changedAccelerations(right(nodes, springs, law),
                                                             [](Result& result, std::size_t) { result.a = left; }));
+BOTH_PROGRAMS_MISTAKE(acceleration_too_early,
+                      changedAccelerations(right(nodes, springs, law),
+                                           [](Result& result, std::size_t) { result.a = Vec3::Zero(); }));
 BOTH_PROGRAMS_MISTAKE(acceleration_with_the_springs, accelerationsOfThoseWithSprings(nodes, springs, law));
 BOTH_PROGRAMS_MISTAKE(last_node_left_out, lastNodeUntouched(nodes, springs, law));
 BOTH_PROGRAMS_MISTAKE(multiplied_by_mass,

@@ -254,6 +254,9 @@ SPREAD_MISTAKE(masses_squared, rootMeanSquare(away(x, m), m.cwiseAbs2()));
 SPREAD_MISTAKE(about_the_first, rootMeanSquare(from(x, nodes(x).col(0)), m));
 SPREAD_MISTAKE(first_skipped, std::sqrt(squares(away(x, m)).tail(m.size() - 1).dot(m.tail(m.size() - 1)) / m.sum()));
 SPREAD_MISTAKE(last_skipped, std::sqrt(squares(away(x, m)).head(m.size() - 1).dot(m.head(m.size() - 1)) / m.sum()));
+namespace in_the_centre {
+SPREAD_MISTAKE(divided_by_count, rootMeanSquare(from(x, Vec3(nodes(x) * m / static_cast<double>(m.size()))), m));
+}
 namespace plainly {
 SPREAD_MISTAKE(mean_distance, meanDistance(away(x, m), ones(m)));
 SPREAD_MISTAKE(about_the_origin, rootMeanSquare(nodes(x), ones(m)));

@@ -75,6 +75,12 @@ BLOCK_MISTAKE(compression_left_out, k* s.along() + std::max(0.0, s.T()) / s.L * 
   })
 
 HESSIAN_MISTAKE(coupling_sign, A, A, A, A);
+namespace in_the_rows_of_a {
+HESSIAN_MISTAKE(coupling_sign, A, A, -A, A);
+}
+namespace in_the_rows_of_b {
+HESSIAN_MISTAKE(coupling_sign, A, -A, A, A);
+}
 HESSIAN_MISTAKE(coupling_missing, A, none, none, A);
 MUELLE_COMMON_MISTAKE(springHessian, wrong_sign);
 MUELLE_COMMON_MISTAKE(springHessian, doubled);
@@ -116,6 +122,7 @@ FORCE_MISTAKE(
       b = -F;
     });
 }
+FORCE_MISTAKE(not_normalised, a -= at.T() * at.r; b += at.T() * at.r; (void)F);
 FORCE_MISTAKE(missing_rest, a -= at.k * at.r; b += at.k * at.r; (void)F);
 FORCE_MISTAKE(
     rope, if (at.T() > 0) {

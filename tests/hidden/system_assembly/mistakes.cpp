@@ -104,6 +104,16 @@ GRADIENT_MISTAKE(first_half_for_both, toA += g.head<3>(); toB += g.head<3>());
 GRADIENT_MISTAKE(halves_exchanged, toA += g.tail<3>(); toB += g.head<3>());
 GRADIENT_MISTAKE(small_ones_dropped, if (g.norm() < 1e-9) continue; toA += g.head<3>(); toB += g.tail<3>());
 GRADIENT_MISTAKE(overwrites, toA = g.head<3>(); toB = g.tail<3>());
+namespace at_node_a {
+GRADIENT_MISTAKE(overwrites, toA = g.head<3>(); toB += g.tail<3>());
+}
+namespace at_node_b {
+GRADIENT_MISTAKE(overwrites, toA += g.head<3>(); toB = g.tail<3>());
+}
+GRADIENT_MISTAKE(smaller_number_first,
+                 const Vec6 h = gradient(node(x, std::min(s.a, s.b)), node(x, std::max(s.a, s.b)), s.k, s.L0);
+                 total.segment<3>(3 * std::min(s.a, s.b)) += h.head<3>();
+                 total.segment<3>(3 * std::max(s.a, s.b)) += h.tail<3>());
 GRADIENT_MISTAKE(wrong_block, total.segment<3>(s.a) += g.head<3>(); total.segment<3>(s.b) += g.tail<3>());
 ADDED_GRADIENT_MISTAKE(nodes_exchanged, gradient(node(x, s.b), node(x, s.a), s.k, s.L0));
 ADDED_GRADIENT_MISTAKE(numbers_exchanged, gradient(node(x, s.a), node(x, s.b), s.L0, s.k));

@@ -78,6 +78,11 @@ Method with(Method method, const std::function<void(Method&)>& change) {
   MUELLE_MISTAKE(function, first_mass_for_all, [](const ForceType& force, const VecX& m, const State& now, double h) { \
     return oracle::function(force, VecX::Constant(m.size(), m[0]), now, h);                                            \
   });                                                                                                                  \
+  MUELLE_MISTAKE(function, mass_per_node, [](const ForceType& force, const VecX& m, const State& now, double h) {      \
+    VecX each = m;                                                                                                     \
+    for (Eigen::Index i = 0; i < m.size(); ++i) each[i] = m[i / 3];                                                    \
+    return oracle::function(force, each, now, h);                                                                      \
+  });                                                                                                                  \
   MUELLE_MISTAKE(function, step_capped, [](const ForceType& force, const VecX& m, const State& now, double h) {        \
     return oracle::function(force, m, now, std::min(h, 1.0));                                                          \
   });                                                                                                                  \

@@ -1,4 +1,4 @@
-// loses: TotalGradient, GradientOfTheEnergy; misconception: none
+// loses: TotalGradient, GradientOfTheEnergy; misconception: smaller_number_first
 // the smaller number first
 #include "system_assembly.h"
 

@@ -1,0 +1,80 @@
+// loses: BendingForce, MinusTheGradient, NoNetForce; misconception: none
+// bendingForce divides both gradients by |u| |w| where each belongs over the square of its own segment's length.
+#include "generalised_springs.h"
+
+#include <Eigen/Geometry>  // for u.cross(w)
+
+double bendingAngle(const Vec9& x) {
+  const Vec3 u = x.segment<3>(3) - x.segment<3>(0);
+  const Vec3 w = x.segment<3>(6) - x.segment<3>(3);
+  return std::atan2(u.cross(w).norm(), u.dot(w));
+}
+
+double bendingEnergy(const Vec9& x, double theta0, double kb) {
+  const bool firstEmpty = x.segment<3>(0) == x.segment<3>(3);
+  const bool secondEmpty = x.segment<3>(3) == x.segment<3>(6);
+  if (firstEmpty || secondEmpty) return 0;
+  return kb * std::pow(bendingAngle(x) - theta0, 2) / 2;
+}
+
+Vec9 bendingForce(const Vec9& x, double theta0, double kb) {
+  const Vec3 u = x.segment<3>(3) - x.segment<3>(0);
+  const Vec3 w = x.segment<3>(6) - x.segment<3>(3);
+  const Vec3 c = u.cross(w);
+  if (c.norm() == 0) return Vec9::Zero();
+  const Vec3 n = c.normalized();
+  const double lengths = u.norm() * w.norm();
+  const Vec3 gradU = -n.cross(u) / lengths;
+  const Vec3 gradW = n.cross(w) / lengths;
+  Vec9 F;
+  F << -gradU, gradU - gradW, gradW;
+  F *= -kb * (bendingAngle(x) - theta0);
+  return F;
+}
+
+double triangleArea(const Vec9& x) {
+  const Vec3 x0 = x.head<3>(), x1 = x.segment<3>(3), x2 = x.tail<3>();
+  return (x1 - x0).cross(x2 - x0).norm() / 2;
+}
+
+double areaEnergy(const Vec9& x, double A0, double kA) {
+  const double d = triangleArea(x) - A0;
+  return 0.5 * kA * d * d;
+}
+
+Vec9 areaForce(const Vec9& x, double A0, double kA) {
+  const Vec3 u = x.segment<3>(3) - x.segment<3>(0);
+  const Vec3 v = x.segment<3>(6) - x.segment<3>(0);
+  const Vec3 normal = u.cross(v);
+  const double length = normal.norm();
+  Vec9 F = Vec9::Zero();
+  if (length == 0) return F;
+  const Vec3 n = normal / length;
+  const double s = kA * (triangleArea(x) - A0);
+  F.segment<3>(3) = -s * 0.5 * v.cross(n);
+  F.segment<3>(6) = -s * 0.5 * n.cross(u);
+  F.segment<3>(0) = -(F.segment<3>(3) + F.segment<3>(6));
+  return F;
+}
+
+double tetrahedronVolume(const Vec12& x) {
+  const Vec3 a = x.segment<3>(3) - x.segment<3>(0);
+  const Vec3 b = x.segment<3>(6) - x.segment<3>(0);
+  const Vec3 c = x.segment<3>(9) - x.segment<3>(0);
+  return a.dot(b.cross(c)) / 6;
+}
+
+double volumeEnergy(const Vec12& x, double V0, double kV) {
+  const double V = tetrahedronVolume(x);
+  return kV * (V - V0) * (V - V0) / 2;
+}
+
+Vec12 volumeForce(const Vec12& x, double V0, double kV) {
+  const Vec3 a = x.segment<3>(3) - x.segment<3>(0);
+  const Vec3 b = x.segment<3>(6) - x.segment<3>(0);
+  const Vec3 c = x.segment<3>(9) - x.segment<3>(0);
+  const Vec3 ga = b.cross(c) / 6, gb = c.cross(a) / 6, gc = a.cross(b) / 6;
+  Vec12 gradient;
+  gradient << -(ga + gb + gc), ga, gb, gc;
+  return -kV * (tetrahedronVolume(x) - V0) * gradient;
+}
