@@ -10,7 +10,7 @@ namespace muelle::engine::kernels {
 namespace {
 
 constexpr int bits = 30;  // of the farthest coordinate: the difference of two has one more, and a sign
-constexpr double smallestSize = 1e-8, largestSize = 1e12;
+constexpr double smallest = 1e-8;
 constexpr std::size_t line = 16;         // integers
 constexpr std::size_t windowsApart = 4;  // of what a block looks at, between two moves to the front
 
@@ -62,7 +62,7 @@ const std::int32_t* FixedWindow::from(std::size_t first) {
 
 FixedWindow::Verdict FixedWindow::verdict() {
   if (farthest_ == 0.0) return Verdict::Right;  // all in one place: any unit does
-  if (!(farthest_ >= smallestSize && farthest_ <= largestSize)) return Verdict::OutOfRange;
+  if (!(farthest_ >= smallest && farthest_ <= largest)) return Verdict::OutOfRange;
   int exponent = 0;
   std::frexp(farthest_, &exponent);  // farthest < 2^exponent
   if (exponent == exponent_) return Verdict::Right;

@@ -17,6 +17,9 @@ namespace muelle::engine::kernels {
 /// Who is told that it was not sweeps again: so the integers depend on the vectors alone, on nothing before.
 class FixedWindow {
  public:
+  /// The largest size [m] or [m/s]; a material no larger keeps every product within the range of a float.
+  static constexpr double largest = 1e12;
+
   /// \param reach nodes behind a block's first that are looked at, the block included
   FixedWindow(int dimension, std::size_t reach);
 

@@ -34,8 +34,7 @@ void addLooseSpring(const SpringData& s, const PlanarState& at, const PlanarFini
 
 /// Whether no product of the material with what FixedWindow allows leaves the range of a float.
 bool isWithinFloats(const GridRun& run) {
-  constexpr double largest = 1e12;
-  const auto isSmall = [](double value) { return value <= largest; };
+  const auto isSmall = [](double value) { return value <= FixedWindow::largest; };
   return std::ranges::all_of(run.k, isSmall) && std::ranges::all_of(run.L0, isSmall) &&
          std::ranges::all_of(run.dRelative, isSmall) && std::ranges::all_of(run.dProjected, isSmall);
 }

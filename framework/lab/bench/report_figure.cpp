@@ -35,7 +35,7 @@ constexpr double leastShown = 1e-10;
 std::string nameInKey(const Curve& curve) {
   const bool isExact = std::ranges::all_of(
       curve.points, [](const CurvePoint& point) { return !point.failed() && point.error.position <= leastShown; });
-  const char* tail = isExact ? ", off by less than 1e-10" : "";
+  const std::string tail = isExact ? fmt::format(", off by less than {:.0e}", leastShown) : "";
   if (curve.row == Row::Ours) return fmt::format("ours {}{}", curve.method, tail);
   return fmt::format("{} {} {}{}", nameOf(curve.row), curve.library, curve.method, tail);
 }

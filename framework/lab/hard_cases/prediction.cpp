@@ -222,9 +222,8 @@ const std::vector<PredictionRule>& predictionRules() {
        "for the stiffest spring"},
       {"conservation", "the method keeps the measured invariant exactly (MethodInfo::conserves...)"},
       {"closed form",
-       "while each node's components go their own ways, in free flight and in contacts across one of them, a method "
-       "that "
-       "chooses its steps has no part in them"},
+       "while each node's components go their own ways, in free flight and in contacts across one of them, "
+       "a method that chooses its steps has no part in them"},
       {"free flight",
        "methods of order 1 are off by h a t / 2 under a constant acceleration a for the time t; from order 2 on they "
        "are "

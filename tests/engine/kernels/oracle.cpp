@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 namespace muelle::engine::kernels {
 
@@ -98,6 +99,36 @@ std::vector<double> generalForces(const Nodes& nodes, const std::vector<SpringDa
   for (std::size_t i = 0; i < nodes.x.size(); ++i) result[i] = f[i / D * lanes + i % D];
   for (std::size_t i = 3; D == 3 && i < f.size(); i += 4) EXPECT_EQ(f[i], 0.0) << "padding of node " << i / 4;
   return result;
+}
+
+Nodes randomNodes(int dimension, int count, Dice& dice) {
+  Nodes nodes;
+  nodes.dimension = dimension;
+  for (int i = 0; i < dimension * count; ++i) {
+    nodes.x.push_back(3.0 * dice.number());
+    nodes.v.push_back(2.0 * dice.number());
+  }
+  return nodes;
+}
+
+SpringData springOf(int a, int b, Damping damping, Dice& dice) {
+  SpringData s = {a, b, 100.0 + dice.roll(1000), 0.25 * dice.roll(8), 0.0, 0.0};
+  if (damping == Damping::Relative || damping == Damping::Both) s.dRelative = 0.5 + dice.roll(5);
+  if (damping == Damping::Projected || damping == Damping::Both) s.dProjected = 0.25 + dice.roll(7);
+  return s;
+}
+
+std::vector<SpringData> clothSprings(int n, Damping damping, Dice& dice) {
+  std::vector<SpringData> springs;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      for (const auto& [down, right] : {std::pair(1, 0), {0, 1}, {1, 1}, {1, -1}, {2, 0}, {0, 2}}) {
+        if (i + down >= n || j + right >= n || j + right < 0) continue;
+        springs.push_back(springOf(i * n + j, (i + down) * n + j + right, damping, dice));
+      }
+    }
+  }
+  return springs;
 }
 
 std::vector<double> gridForces(const Nodes& nodes, const std::vector<SpringData>& springs, std::size_t block,

@@ -33,6 +33,15 @@ class Dice {
   unsigned state_;
 };
 
+constexpr Damping everyDamping[] = {Damping::None, Damping::Relative, Damping::Projected, Damping::Both};
+
+/// Nodes in [-3, 3) at [-2, 2) each way.
+Nodes randomNodes(int dimension, int count, Dice& dice);
+/// A spring of random material with the damping of that form.
+SpringData springOf(int a, int b, Damping damping, Dice& dice);
+/// An n by n sheet in space with the springs of a cloth.
+std::vector<SpringData> clothSprings(int n, Damping damping, Dice& dice);
+
 /// Forces on all nodes in long double, by the definition of SpringData.
 std::vector<long double> oracleForces(const Nodes& nodes, const std::vector<SpringData>& springs);
 

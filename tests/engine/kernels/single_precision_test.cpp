@@ -17,38 +17,6 @@
 namespace muelle::engine::kernels {
 namespace {
 
-constexpr Damping dampings[] = {Damping::None, Damping::Relative, Damping::Projected, Damping::Both};
-
-SpringData sheetSpring(int a, int b, Damping damping, Dice& dice) {
-  SpringData s = {a, b, 50.0 + dice.roll(100), 0.125 + dice.roll(64) / 64.0, 0.0, 0.0};
-  if (damping == Damping::Relative || damping == Damping::Both) s.dRelative = 0.25 + dice.roll(16) / 8.0;
-  if (damping == Damping::Projected || damping == Damping::Both) s.dProjected = 0.5 + dice.roll(16) / 8.0;
-  return s;
-}
-
-std::vector<SpringData> sheetSprings(int n, Damping damping, Dice& dice) {
-  std::vector<SpringData> springs;
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) {
-      for (const auto& [down, right] : {std::pair(1, 0), {0, 1}, {1, 1}, {1, -1}, {2, 0}, {0, 2}}) {
-        if (i + down >= n || j + right >= n || j + right < 0) continue;
-        springs.push_back(sheetSpring(i * n + j, (i + down) * n + j + right, damping, dice));
-      }
-    }
-  }
-  return springs;
-}
-
-Nodes scattered(int dimension, int count, Dice& dice) {
-  Nodes nodes;
-  nodes.dimension = dimension;
-  for (int i = 0; i < count * dimension; ++i) {
-    nodes.x.push_back(dice.number());
-    nodes.v.push_back(4.0 * dice.number());
-  }
-  return nodes;
-}
-
 std::vector<double> singleForces(const Nodes& nodes, const std::vector<SpringData>& springs, std::size_t block = 0) {
   return gridForces(nodes, springs, block, Precision::Single);
 }
@@ -99,12 +67,12 @@ std::vector<double> singleBounds(const Nodes& nodes, const std::vector<SpringDat
 TEST(SinglePrecision, IsAsFarFromTheExactForcesAsItsDigitsSay) {
   onEveryInstructionSet([](const std::string& set) {
     for (const int dimension : {2, 3}) {
-      for (const Damping damping : dampings) {
+      for (const Damping damping : everyDamping) {
         SCOPED_TRACE(set + ", " + std::to_string(dimension) + "D, damping " +
                      std::to_string(static_cast<int>(damping)));
         Dice dice(31);
-        const Nodes sheet = scattered(dimension, 41 * 41, dice);
-        const std::vector<SpringData> springs = sheetSprings(41, damping, dice);
+        const Nodes sheet = randomNodes(dimension, 41 * 41, dice);
+        const std::vector<SpringData> springs = clothSprings(41, damping, dice);
         const std::vector<long double> exact = oracleForces(sheet, springs);
         const std::vector<double> bound = singleBounds(sheet, springs), f = singleForces(sheet, springs);
         double largest = 0.0;
@@ -120,10 +88,10 @@ TEST(SinglePrecision, IsAsFarFromTheExactForcesAsItsDigitsSay) {
 }
 
 TEST(SinglePrecision, IsTheSameOnEveryInstructionSetAndInBlocksOfAnySize) {
-  for (const Damping damping : dampings) {
+  for (const Damping damping : everyDamping) {
     Dice dice(32);
-    const Nodes sheet = scattered(3, 29 * 29, dice);
-    const std::vector<SpringData> springs = sheetSprings(29, damping, dice);
+    const Nodes sheet = randomNodes(3, 29 * 29, dice);
+    const std::vector<SpringData> springs = clothSprings(29, damping, dice);
     const std::vector<double> first = singleForces(sheet, springs);
     onEveryInstructionSet([&](const std::string& set) {
       for (const std::size_t block : {std::size_t{0}, std::size_t{8}, std::size_t{32}, std::size_t{88}}) {
@@ -135,8 +103,8 @@ TEST(SinglePrecision, IsTheSameOnEveryInstructionSetAndInBlocksOfAnySize) {
 
 TEST(SinglePrecision, OfOneMaterialIsThatOfEqualMaterialsEach) {
   Dice dice(33);
-  const Nodes sheet = scattered(3, 21 * 21, dice);
-  std::vector<SpringData> springs = sheetSprings(21, Damping::None, dice);
+  const Nodes sheet = randomNodes(3, 21 * 21, dice);
+  std::vector<SpringData> springs = clothSprings(21, Damping::None, dice);
   for (SpringData& s : springs) s = {s.a, s.b, 75.0, 0.5, 0.75, 1.5};
   GridSearch found = findRuns(3, 441, springs);
   for (GridRun& run : found.runs) {
@@ -156,8 +124,8 @@ TEST(SinglePrecision, OfOneMaterialIsThatOfEqualMaterialsEach) {
 
 TEST(SinglePrecision, IsTheSameAThousandKilometresAway) {
   Dice dice(34);
-  Nodes sheet = scattered(3, 20 * 20, dice);
-  const std::vector<SpringData> springs = sheetSprings(20, Damping::Both, dice);
+  Nodes sheet = randomNodes(3, 20 * 20, dice);
+  const std::vector<SpringData> springs = clothSprings(20, Damping::Both, dice);
   const std::vector<double> here = singleForces(sheet, springs);
   for (double& x : sheet.x) x += 1048576.0;  // exact: the numbers are multiples of 2^-20
   for (double& v : sheet.v) v -= 4096.0;
@@ -166,8 +134,8 @@ TEST(SinglePrecision, IsTheSameAThousandKilometresAway) {
 
 TEST(SinglePrecision, DependsOnNothingThatWasComputedBefore) {
   Dice dice(35);
-  const Nodes sheet = scattered(3, 20 * 20, dice);
-  const std::vector<SpringData> springs = sheetSprings(20, Damping::Both, dice);
+  const Nodes sheet = randomNodes(3, 20 * 20, dice);
+  const std::vector<SpringData> springs = clothSprings(20, Damping::Both, dice);
   const GridSearch found = findRuns(3, 400, springs);
   const GridSprings grid(3, 400, found.runs, found.loose, 64, Precision::Single);
   for (const double scale : {1.0, 1024.0, 0.25, 1e30, 0.375, 1e-3}) {
@@ -183,8 +151,8 @@ TEST(SinglePrecision, DependsOnNothingThatWasComputedBefore) {
 
 TEST(SinglePrecision, GivesWayToDoubleBeyondTheRangeOfFloats) {
   Dice dice(36);
-  const Nodes sheet = scattered(3, 20 * 20, dice);
-  const std::vector<SpringData> springs = sheetSprings(20, Damping::Both, dice);
+  const Nodes sheet = randomNodes(3, 20 * 20, dice);
+  const std::vector<SpringData> springs = clothSprings(20, Damping::Both, dice);
   for (const double scale : {1e-12, 1e13, 1e100}) {
     Nodes other = sheet;
     for (double& x : other.x) x *= scale;
@@ -207,8 +175,8 @@ TEST(SinglePrecision, OfZeroLengthLeavesRelativeDampingAlone) {
   for (std::size_t i = 0; i < sheet.v.size(); ++i) sheet.v[i] = static_cast<double>(i % 7) / 4.0;
   sheet.x.back() = 1.0;  // one node elsewhere, so that there is a size
   Dice dice(37);
-  for (const Damping damping : dampings) {
-    const std::vector<SpringData> springs = sheetSprings(25, damping, dice);
+  for (const Damping damping : everyDamping) {
+    const std::vector<SpringData> springs = clothSprings(25, damping, dice);
     const std::vector<double> full = gridForces(sheet, springs), single = singleForces(sheet, springs);
     // Coefficients are eighths, velocities quarters: floats have them exactly.
     for (std::size_t i = 0; i < 3 * 20 * 25; ++i) ASSERT_EQ(single[i], full[i]) << "number " << i;

@@ -19,25 +19,6 @@
 namespace muelle::engine::kernels {
 namespace {
 
-Nodes randomNodes(int dimension, int count, Dice& dice) {
-  Nodes nodes;
-  nodes.dimension = dimension;
-  for (int i = 0; i < dimension * count; ++i) {
-    nodes.x.push_back(3.0 * dice.number());
-    nodes.v.push_back(2.0 * dice.number());
-  }
-  return nodes;
-}
-
-SpringData springOf(int a, int b, Damping damping, Dice& dice) {
-  SpringData s = {a, b, 100.0 + dice.roll(1000), 0.25 * dice.roll(8), 0.0, 0.0};
-  if (damping == Damping::Relative || damping == Damping::Both) s.dRelative = 0.5 + dice.roll(5);
-  if (damping == Damping::Projected || damping == Damping::Both) s.dProjected = 0.25 + dice.roll(7);
-  return s;
-}
-
-constexpr Damping everyDamping[] = {Damping::None, Damping::Relative, Damping::Projected, Damping::Both};
-
 void expectWithinRounding(const std::vector<double>& f, const Nodes& nodes, const std::vector<SpringData>& springs) {
   const std::vector<long double> exact = oracleForces(nodes, springs);
   const std::vector<double> bound = roundingBounds(nodes, springs);
@@ -89,20 +70,6 @@ TEST(GeneralSprings, BetweenANodeAndItselfAreLeftOut) {
   const Nodes nodes = randomNodes(3, 3, dice);
   const std::vector<SpringData> springs = {{1, 1, 10.0, 1.0, 1.0, 1.0}};
   EXPECT_TRUE(SpringGroups(3, 3, springs).order().empty());
-}
-
-/// An n by n sheet in space with the springs of a cloth.
-std::vector<SpringData> clothSprings(int n, Damping damping, Dice& dice) {
-  std::vector<SpringData> springs;
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) {
-      for (const auto& [down, right] : {std::pair(1, 0), {0, 1}, {1, 1}, {1, -1}, {2, 0}, {0, 2}}) {
-        if (i + down >= n || j + right >= n || j + right < 0) continue;
-        springs.push_back(springOf(i * n + j, (i + down) * n + j + right, damping, dice));
-      }
-    }
-  }
-  return springs;
 }
 
 TEST(GeneralSprings, AreInGroupsOfEightWithoutACommonNode) {

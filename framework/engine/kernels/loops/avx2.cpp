@@ -7,11 +7,7 @@
 namespace muelle::engine::kernels {
 
 const Kernels& avx2Kernels() {
-  static const Kernels table = [] {
-    Kernels all = tableOf<Lanes4, Lanes4>();
-    fillSingle<Lanes4, SingleLanes8, SingleLanes8>(all);
-    return all;
-  }();
+  static const Kernels table = tableOf<Lanes4, Lanes4, SingleLanes8, SingleLanes8>();
   return table;
 }
 

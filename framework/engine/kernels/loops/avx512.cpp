@@ -8,11 +8,7 @@
 namespace muelle::engine::kernels {
 
 const Kernels& avx512Kernels() {
-  static const Kernels table = [] {
-    Kernels all = tableOf<Lanes8, Lanes4>();
-    fillSingle<Lanes8, SingleLanes16, SingleLanes8Of16>(all);
-    return all;
-  }();
+  static const Kernels table = tableOf<Lanes8, Lanes4, SingleLanes16, SingleLanes8Of16>();
   return table;
 }
 

@@ -6,11 +6,7 @@
 namespace muelle::engine::kernels {
 
 const Kernels& baselineKernels() {
-  static const Kernels table = [] {
-    Kernels all = tableOf<Lanes2, Lanes2>();
-    fillSingle<Lanes2, SingleLanes4, SingleLanes4>(all);
-    return all;
-  }();
+  static const Kernels table = tableOf<Lanes2, Lanes2, SingleLanes4, SingleLanes4>();
   return table;
 }
 

@@ -69,12 +69,14 @@ void fillSingle(Kernels& table) {
 }
 
 /// \tparam Lanes of what runs along arrays   \tparam LanesOfGroups of springs of general topology in 3D
-template <class Lanes, class LanesOfGroups>
+/// \tparam Single, Sums as those of fillSingle()
+template <class Lanes, class LanesOfGroups, class Single, class Sums>
 Kernels tableOf() {
   Kernels table = {};
   fillDimension<Lanes, Lanes2, 1>(table);
   fillDimension<Lanes, Lanes2, 2>(table);
   fillDimension<Lanes, LanesOfGroups, 3>(table);
+  fillSingle<Lanes, Single, Sums>(table);
   return table;
 }
 
